@@ -25,6 +25,7 @@ Wall smallOf(const Wall& wall) {
   small.lowerLeft_m = wall.lowerLeft_m;
   small.lowerRight_m = wall.lowerRight_m;
   small.upperLeft_m = wall.upperLeft_m;
+  small.screen = wall.screen;
   const double scale = std::min(1.0, static_cast<double>(kCopyWidth_px) / wall.pixels.x);
   small.pixels = glm::max(glm::ivec2(glm::round(glm::dvec2(wall.pixels) * scale)), 1);
   return small;

@@ -1,17 +1,27 @@
 #include "app/files/rig.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "cave/screen/curved_screen.h"
 
 namespace carom {
 
-std::vector<Wall> standingWalls(const Rig& rig) { return isHeadset(rig) ? std::vector<Wall>() : rig.walls; }
+std::vector<Wall> standingWalls(const Rig& rig) {
+  std::vector<Wall> walls;
+  if (isHeadset(rig)) return walls;
+  for (const Wall& wall : rig.walls)
+    for (Wall& flat : flatWallsOf(wall)) walls.push_back(std::move(flat));
+  return walls;
+}
 
 RoomGeometry roomGeometryOf(const Rig& rig) {
-  RoomGeometry room{isHeadset(rig) ? std::vector{*rig.board} : rig.walls,
-                    rig.axes.up,
-                    rig.axes.forward,
-                    {},
-                    isHeadset(rig)};
+  RoomGeometry room{
+      {}, rig.axes.up, rig.axes.forward, {}, isHeadset(rig) ? rig.board : rig.panel, isHeadset(rig)};
+  if (isHeadset(rig))
+    room.walls = {*rig.board};
+  else
+    room.walls = standingWalls(rig);
   for (const ViewerSetup& viewer : rig.viewers)
     room.viewers.push_back({viewer.name, inverse(viewer.head.eyesFromSensor), viewer.hand.has_value()});
   return room;

@@ -104,6 +104,8 @@ struct Rig {
   /// Of a headset: the board that is fixed in the room and carries what else stands on the front wall. The
   /// walls then hang on the head, one before each eye.
   std::optional<Wall> board;
+  /// Of a room: such a board, where no flat wall carries it.
+  std::optional<Wall> panel{};
   ComfortSetup comfort;
   std::filesystem::path playlist;          ///< of the room's visitors (app/files/playlist.h); empty: none
   std::optional<WindowPlacement> console;  ///< the operator's console, if it is requested

@@ -108,7 +108,7 @@ void checkTogether(const TomlTable& root, const Rig& rig, const std::vector<Wall
   checkUnique(tables, "name", rig.walls, [](const Wall& wall) { return wall.name; });
   for (const WallText& text : walls) {
     checkWallName(text.table, text.wall.name);
-    checkRectangle(text.table, text.wall, text.upperRight_m);
+    if (!text.screen) checkRectangle(text.table, text.wall, text.upperRight_m);
   }
   checkPlaces(rig, tables);
 }

@@ -91,14 +91,16 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   }
   std::vector<WallText> walls;
   for (const TomlTable& table : root.tables("wall")) {
-    walls.push_back(readWall(file, table, unit_m, rig.oneWindow.has_value()));
+    walls.push_back(readWall(file, table, rig.axes, unit_m, rig.oneWindow.has_value()));
     readEyes(table, rig.viewers, walls.back().wall);
     placed.walls.push_back(placesOf(table));
   }
+  rig.panel = readPanel(root, unit_m);
   if (walls.empty()) root.fault("wall", "there is no wall here, expected one [[wall]] at least");
   file.throwFaults();
   for (WallText& text : walls) {
     straighten(text);
+    if (text.screen) curve(*text.screen, text.table, rig.axes, text.wall);
     rig.walls.push_back(text.wall);
   }
   file.throwFaults();
@@ -106,6 +108,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     if (viewer.hand && viewer.hand->buttons && !isOfAHead(*viewer.hand->buttons, rig))
       rig.trackers[*viewer.hand->buttons].buttonsAlone = true;
   }
+  settlePanel(root, rig);
   checkTogether(root, rig, walls);
   checkViewers(root, rig, walls);
   holdBackTheFast(rig, root.tables("wall"));

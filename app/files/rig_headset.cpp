@@ -41,7 +41,7 @@ Wall readBoard(const TomlTable& headset, double unit_m) {
 }  // namespace
 
 void readHeadset(const TomlTable& root, const TomlTable& table, double unit_m, Rig& rig) {
-  for (const char* key : {"head", "hand", "viewer", "tracker", "wall", "node", "frame_lock"})
+  for (const char* key : {"head", "hand", "viewer", "tracker", "wall", "node", "frame_lock", "panel"})
     root.refuse(key, "has no meaning in the rig of a headset, expected none");
   if (rig.axes.up.y != 1.0)
     root.fault("axes", "a headset measures along 'x-right y-up z-back', expected these axes");

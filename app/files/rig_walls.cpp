@@ -96,16 +96,41 @@ void readColours(const TomlTable& table, Wall& wall) {
                           weakest, wall.blackLevel));
 }
 
-/// Reads the settings of the projector, between the image and the screen.
-void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
+/// Reads the settings of the projector's light, its mirroring and its latency.
+void readLight(const TomlFile& file, const TomlTable& table, Wall& wall) {
   constexpr std::array<std::string_view, 5> kPictures{".png", ".jpg", ".jpeg", ".tif", ".tiff"};
-  wall.warp = readWallWarp(file, table, "warp");
-  readColourWarps(file, table, wall);
   wall.blend = readWallFile(file, table, "blend", kPictures);
   wall.blackLevel = table.number("black_level");
   readColours(table, wall);
   wall.flip = static_cast<Flip>(table.choice("flip"));
   wall.displayLatency_s = table.number("display_latency_ms") * 1e-3;
+}
+
+/// Reads the settings of the projector, between the image and the screen.
+void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
+  wall.warp = readWallWarp(file, table, "warp");
+  readColourWarps(file, table, wall);
+  readLight(file, table, wall);
+}
+
+/// Reads the corners of a flat wall.
+void readCorners(const TomlTable& table, double unit_m, WallText& text) {
+  const auto corner = [&](std::string_view key) { return toVec3(table.numbers<3>(key)) * unit_m; };
+  text.wall.lowerLeft_m = corner("lower_left");
+  text.wall.lowerRight_m = corner("lower_right");
+  text.wall.upperLeft_m = corner("upper_left");
+  if (table.has("upper_right")) text.upperRight_m = corner("upper_right");
+  text.skewed = table.flag("skewed");
+  if (!text.skewed) return;
+  if (!text.upperRight_m)
+    table.fault("skewed", "a skewed wall needs all four corners, expected upper_right beside it");
+  for (const char* key : {"warp", "warp_red", "warp_green", "warp_blue"}) {
+    if (!table.has(key)) continue;
+    table.fault(
+        key,
+        "a warp mesh says where the picture goes, as the corners of a skewed wall do: expected one of "
+        "them");
+  }
 }
 
 }  // namespace
@@ -125,33 +150,23 @@ WindowPlacement readWindow(const TomlTable& table) {
   return window;
 }
 
-WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow) {
-  Wall wall;
+WallText readWall(const TomlFile& file, const TomlTable& table, const RoomAxes& axes, double unit_m,
+                  bool hasOneWindow) {
+  WallText text{table, {}, {}, false, readScreen(table, axes, unit_m)};
+  if (!text.screen) readCorners(table, unit_m, text);
+  Wall& wall = text.wall;
   wall.name = table.text("name");
-  wall.lowerLeft_m = toVec3(table.numbers<3>("lower_left")) * unit_m;
-  wall.lowerRight_m = toVec3(table.numbers<3>("lower_right")) * unit_m;
-  wall.upperLeft_m = toVec3(table.numbers<3>("upper_left")) * unit_m;
-  std::optional<glm::dvec3> upperRight_m;
-  if (table.has("upper_right")) upperRight_m = toVec3(table.numbers<3>("upper_right")) * unit_m;
-  const bool skewed = table.flag("skewed");
-  if (skewed && !upperRight_m) {
-    table.fault("skewed", "a skewed wall needs all four corners, expected upper_right beside it");
-  }
   wall.pixels = toPixels(table.numbers<2>("pixels"));
   wall.node = table.integer("node");
   wall.stereo = static_cast<StereoMode>(table.choice("stereo"));
   wall.window.size_px = wall.pixels;
   const auto window = hasOneWindow ? table.requiredTable("window") : table.table("window");
   if (window) readWallWindow(*window, hasOneWindow, wall);
-  readProjector(file, table, wall);
-  for (const char* key : {"warp", "warp_red", "warp_green", "warp_blue"}) {
-    if (!skewed || !table.has(key)) continue;
-    table.fault(
-        key,
-        "a warp mesh says where the picture goes, as the corners of a skewed wall do: expected one of "
-        "them");
-  }
-  return {table, wall, upperRight_m, skewed};
+  if (text.screen)
+    readLight(file, table, wall);
+  else
+    readProjector(file, table, wall);
+  return text;
 }
 
 void straighten(WallText& text) {

@@ -6,6 +6,7 @@
 
 #include "app/file_keys/rig_keys.h"
 #include "app/files/rig.h"
+#include "app/files/rig_screen.h"
 #include "app/files/toml_file.h"
 
 namespace carom {
@@ -15,14 +16,16 @@ struct WallText {
   TomlTable table;
   Wall wall;
   std::optional<glm::dvec3> upperRight_m;
-  bool skewed = false;  ///< its four corners are no rectangle
+  bool skewed = false;               ///< its four corners are no rectangle
+  std::optional<ScreenText> screen;  ///< it is curved, and has no corners
 };
 
 /// Puts the rectangle around the screen into the place of the measured corners of a skewed wall. Call it once
 /// all numbers have been read.
 void straighten(WallText& text);
 
-WallText readWall(const TomlFile& file, const TomlTable& table, double unit_m, bool hasOneWindow);
+WallText readWall(const TomlFile& file, const TomlTable& table, const RoomAxes& axes, double unit_m,
+                  bool hasOneWindow);
 
 WindowPlacement readWindow(const TomlTable& table);
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cave/room/wall_pointer.h"
+#include "cave/screen/wall_pointer.h"
 #include "engine/spacetime/event.h"
 
 namespace carom {

@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "app/room_import/curved_checks.h"
 #include "app/room_import/wall_checks.h"
 #include "app/room_import/wall_pair_checks.h"
 #include "app/room_import/wall_shape.h"
@@ -43,6 +44,7 @@ void judgeEyes(Verdict& verdict) {
 
 void judgeSize(Verdict& verdict) {
   for (const RoomWall& wall : verdict.room.walls) {
+    if (wall.wall.screen) continue;
     const double longer_m = std::max(width_m(wall.wall), height_m(wall.wall));
     if (longer_m >= kSmallestWall_m && longer_m <= kLargestWall_m) continue;
     return verdict.warn(
@@ -121,6 +123,7 @@ std::optional<double> floorHeight_m(const Room& room) {
   constexpr double kLevel = 0.985;  // cosine of 10 degrees
   std::optional<double> lowest_m;
   for (const RoomWall& wall : room.walls) {
+    if (wall.wall.screen) continue;
     if (glm::dot(normal(wall.wall), room.axes.up) < kLevel) continue;
     const double height = glm::dot(middle(wall.wall), room.axes.up);
     if (!lowest_m || height < *lowest_m) lowest_m = height;
@@ -135,7 +138,10 @@ std::vector<Finding> judgeRoom(const Room& room) {
   for (const RoomWall& wall : room.walls) judgeWall(wall, verdict);
   judgeHeight(verdict);
   for (std::size_t i = 0; i < room.walls.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) judgePair(room.walls[j], room.walls[i], verdict);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!room.walls[i].wall.screen && !room.walls[j].wall.screen)
+        judgePair(room.walls[j], room.walls[i], verdict);
+    }
   }
   if (!room.hasErrors()) judgeRanks(verdict);
   std::vector<Finding> findings = verdict.findings.all();
@@ -148,6 +154,7 @@ std::vector<Finding> judgeRoom(const Room& room) {
 std::string_view sideOf(const Wall& wall, const RoomAxes& axes) { return lookedAt(wall, axes).name; }
 
 std::string wordsFor(const RoomWall& wall, const Room& room) {
+  if (wall.wall.screen) return wordsForCurved(wall, room);
   constexpr double kMetresPerFoot = 0.3048;
   constexpr std::array<std::string_view, 10> kStereo{"mono",
                                                      "the left eye alone",

@@ -13,6 +13,7 @@ struct Verdict {
   const Room& room;
   FindingList findings;
 
+  void fail(FilePlace at, std::string text) { findings.add({Finding::Kind::error, at, std::move(text)}); }
   void warn(FilePlace at, std::string text) { findings.add({Finding::Kind::warning, at, std::move(text)}); }
 };
 

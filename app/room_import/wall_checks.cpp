@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/room_import/curved_checks.h"
 #include "app/room_import/wall_shape.h"
 
 namespace carom {
@@ -155,6 +156,7 @@ Side lookedAt(const Wall& wall, const RoomAxes& axes) {
 }
 
 void judgeWall(const RoomWall& wall, Verdict& verdict) {
+  if (wall.wall.screen) return judgeCurved(wall, verdict);
   judgePlane(wall, verdict);
   judgePixels(wall, verdict);
   judgeWindow(wall, verdict);

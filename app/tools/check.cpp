@@ -137,7 +137,8 @@ Playlist openPlaylist(const std::filesystem::path& path, const FileOpeners& open
   return playlist;
 }
 
-void tellRig(const std::filesystem::path& path, const FileOpeners& open) {
+/// Returns whether the room has an error.
+bool tellRig(const std::filesystem::path& path, const FileOpeners& open) {
   constexpr std::uintmax_t kMostOfTrace = 16U << 20U;
   const PlacedRig placed = readPlacedRig(path);
   const Rig& rig = placed.rig;
@@ -145,9 +146,16 @@ void tellRig(const std::filesystem::path& path, const FileOpeners& open) {
   if (open.blends) open.blends(path, rig);
   if (!rig.playlist.empty()) openPlaylist(rig.playlist, open);
   const Room room = roomOf(placed, path);
-  if (!isHeadset(rig)) printFindings(path, findingsOf(room));
+  const bool failed = !isHeadset(rig) && printFindings(path, findingsOf(room));
   fmt::print("{}: a rig of {} at {} Hz\n", rig.title, counted(rig.walls.size(), "wall"), rig.display_hz);
   if (!isHeadset(rig)) tellWalls(room);
+  if (rig.panel) {
+    const auto words = [](const glm::dvec3& m) {
+      return fmt::format("({:.2f}, {:.2f}, {:.2f})", m.x, m.y, m.z);
+    };
+    fmt::print("words stand on a panel between {}, {} and {} m\n", words(rig.panel->lowerLeft_m),
+               words(rig.panel->lowerRight_m), words(rig.panel->upperLeft_m));
+  }
   if (isHeadset(rig))
     fmt::print("The walls hang on the head, before the eyes of a headset; a board stands in the room.\n");
   if (rig.comfort.most_u < kMostPlatformU || rig.comfort.aids) {
@@ -161,6 +169,7 @@ void tellRig(const std::filesystem::path& path, const FileOpeners& open) {
   }
   for (std::size_t viewer = 0; viewer < rig.viewers.size(); ++viewer) tellViewer(rig, viewer);
   tellHead(room);
+  return failed;
 }
 
 std::string spinText(const Puck& puck, double c_m_s) {
@@ -311,8 +320,7 @@ int runCheck(const std::filesystem::path& file, const FileOpeners& open) {
       tellScenario(file, open);
       break;
     case FileKind::rig:
-      tellRig(file, open);
-      break;
+      return tellRig(file, open) ? 1 : 0;
     case FileKind::playlist:
       tellPlaylist(file, open);
       break;

@@ -6,25 +6,49 @@
 
 #include "cave/gl/gl_program.h"
 #include "cave/gl/gl_state_guard.h"
+#include "cave/screen/curved_screen.h"
 #include "shaders/seam_frag.h"
-#include "shaders/stereo_vert.h"
+#include "shaders/seam_vert.h"
 
 namespace carom {
 
-AlignmentPattern::AlignmentPattern()
-    : program_(makeProgram("seam", shaders::stereo_vert, shaders::seam_frag)) {}
+namespace {
 
-void AlignmentPattern::draw(const Wall& wall, double time_s, RenderTarget& picture) const {
+/// Returns the corners of a wall's triangles, three by three.
+std::vector<SeamCorner> cornersOf(const Wall& wall) {
+  std::vector<SeamCorner> corners;
+  if (wall.screen) {
+    for (const ScreenTriangle& triangle : wall.screen->mesh) {
+      for (const ScreenPoint& point : triangle) corners.push_back({point.inWindow, point.inRoom_m});
+    }
+    return corners;
+  }
+  const glm::dvec3 across_m = wall.lowerRight_m - wall.lowerLeft_m,
+                   upwards_m = wall.upperLeft_m - wall.lowerLeft_m;
+  // One triangle that reaches beyond the window covers it.
+  for (const glm::dvec2& place : {glm::dvec2(0.0), glm::dvec2(2.0, 0.0), glm::dvec2(0.0, 2.0)})
+    corners.push_back({place, wall.lowerLeft_m + place.x * across_m + place.y * upwards_m});
+  return corners;
+}
+
+}  // namespace
+
+AlignmentPattern::AlignmentPattern()
+    : program_(makeProgram("seam", shaders::seam_vert, shaders::seam_frag)),
+      corners_(program_, {{"inWindow", 2, offsetof(SeamCorner, inWindow)},
+                          {"inRoom_m", 3, offsetof(SeamCorner, inRoom_m)}}) {}
+
+void AlignmentPattern::draw(const Wall& wall, double time_s, RenderTarget& picture) {
+  const std::vector<SeamCorner> corners = cornersOf(wall);
+  corners_.upload(corners);
+  if (wall.screen) picture.clear();
   const GlStateGuard state(picture.framebuffer(), picture.size_px());
   glUseProgram(program_);
-  glBindVertexArray(vertexArray_);
-  setUniform(program_, "lowerLeft_m", wall.lowerLeft_m);
-  setUniform(program_, "across_m", wall.lowerRight_m - wall.lowerLeft_m);
-  setUniform(program_, "upwards_m", wall.upperLeft_m - wall.lowerLeft_m);
+  corners_.bind();
   setUniform(program_, "first_m", glm::dvec3(std::fmod(kSpeed_m_s * time_s, kPeriod_m)));
   setUniform(program_, "period_m", static_cast<float>(kPeriod_m));
   setUniform(program_, "halfLine_m", static_cast<float>(kHalfLine_m));
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
 }
 
 }  // namespace carom

@@ -3,6 +3,10 @@
 // the walls. A line that ends at the shared edge of two walls goes on from the same point of the other wall
 // at the same moment; a step there is an error of the corners, of the projectors or of the frame lock.
 
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "cave/gl/gl_objects.h"
@@ -10,6 +14,12 @@
 #include "cave/room/wall.h"
 
 namespace carom {
+
+/// A corner of a screen's triangles: its place in the window, 0 to 1 from the lower left, and in the room.
+struct SeamCorner {
+  glm::vec2 inWindow;
+  glm::vec3 inRoom_m;
+};
 
 class AlignmentPattern {
  public:
@@ -21,12 +31,12 @@ class AlignmentPattern {
   AlignmentPattern();
 
   /// Draws the planes x = k·kPeriod_m + kSpeed_m_s·time_s in red, those of y in green and those of z in blue.
-  /// Leaves the drawing context's state as it was.
-  void draw(const Wall& wall, double time_s, RenderTarget& picture) const;
+  /// A curved screen has them at each pixel's own point. Leaves the drawing context's state as it was.
+  void draw(const Wall& wall, double time_s, RenderTarget& picture);
 
  private:
   GlProgram program_;
-  GlVertexArray vertexArray_;
+  VertexStream<SeamCorner> corners_;
 };
 
 }  // namespace carom

@@ -46,6 +46,7 @@ void DisplayWalls::drawSession(const FrameRecord& record, const World& world) {
     pictures_.drawSession(seen, world);
     graphics_.makeCurrent();
     overlays_.draw(seen, pictures_);
+    pictures_.drawScreens(seen);
   }
 }
 
@@ -53,9 +54,9 @@ std::array<unsigned, 2> DisplayWalls::onHead() const {
   return {pictures_.eyes()[0].pictures.drawn().texture(), pictures_.eyes()[1].pictures.drawn().texture()};
 }
 
-const RenderTarget* DisplayWalls::pictureOf(const std::string& wall) const {
+const RenderTarget* DisplayWalls::pictureOf(const std::string& wall, int piece) const {
   const StandingBoard* const board = overlays_.board();
-  return board && board->place().name == wall ? &board->written() : pictures_.pictureOf(wall);
+  return board && board->place().name == wall ? &board->written() : pictures_.pictureOf(wall, piece);
 }
 
 std::optional<PointedWall> DisplayWalls::pointedAt() const {

@@ -38,8 +38,8 @@ class DisplayWalls {
   std::array<unsigned, 2> onHead() const;
 
   /// Returns the newest picture of a wall (the left eye's, if it has one for each eye), or null if this node
-  /// draws no wall of that name.
-  const RenderTarget* pictureOf(const std::string& wall) const;
+  /// draws no wall of that name. `piece`: of a flat piece of a curved wall, counted from 1; 0: of the whole.
+  const RenderTarget* pictureOf(const std::string& wall, int piece = 0) const;
 
   /// Hands over every picture, or for the movie only the first of each wall (its left eye's).
   void capture(Capture& capture, std::uint64_t frame) const { pictures_.capture(capture, frame); }

@@ -19,6 +19,8 @@ bool stays(const WorldLine& line, const Vec3& u) {
   return line.knots().size() == 1 && first.deceleration_m_s2 == 0.0 && glm::distance(first.u, u) < kSame_u;
 }
 
+}  // namespace
+
 void drawSplitLine(const RenderTarget& picture) {
   const glm::ivec2 size_px = picture.size_px();
   const GlStateGuard state(picture.framebuffer(), size_px);
@@ -27,8 +29,6 @@ void drawSplitLine(const RenderTarget& picture) {
   const std::array<float, 4> white{1.0F, 1.0F, 1.0F, 1.0F};
   glClearBufferfv(GL_COLOR, 0, white.data());
 }
-
-}  // namespace
 
 Wall columnsOf(const Wall& wall, int left_px, int right_px) {
   const glm::dvec3 along = (wall.lowerRight_m - wall.lowerLeft_m) / static_cast<double>(wall.pixels.x);
@@ -59,7 +59,8 @@ void EyeRenderer::draw(const FrameRecord& record, const World& world, const Obse
   if (!beside_) beside_ = std::make_unique<WallRenderer>(graphics_, scene_, lightSpeed_m_s_);
   look(*beside_, record.views.beside, record, world, observer, eye);
   drawPart(*beside_, Part::right, eye, walls);
-  for (const PicturedWall& wall : walls) drawSplitLine(*wall.picture);
+  for (const PicturedWall& wall : walls)
+    if (wall.split_px > 0 && wall.split_px < wall.wall->pixels.x) drawSplitLine(*wall.picture);
 }
 
 void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const FrameRecord& record,
@@ -111,16 +112,18 @@ void EyeRenderer::drawPart(WallRenderer& renderer, Part part, const EyeView& eye
   parts_.clear();
   pictures_.clear();
   parts_.reserve(walls.size());
-  for (const auto& [wall, picture, meters] : walls) {
-    const int middle_px = wall->pixels.x / 2;
+  for (const auto& [wall, picture, meters, split_px] : walls) {
+    if (part == Part::left && split_px == 0) continue;
+    if (part == Part::right && split_px == wall->pixels.x) continue;
     WallDrawing drawing;
     drawing.seenFromEye_m = eye.seenFromInRoom_m - eye.positionInRoom_m;
-    drawing.left_px = part == Part::right ? middle_px : 0;
+    drawing.left_px = part == Part::right ? split_px : 0;
     drawing.marks = marked_ ? marks_.get() : nullptr;
-    drawing.cutAt = part == Part::left ? 1.0F : part == Part::right ? -1.0F : 0.0F;
+    const bool isCut = part != Part::whole && split_px > 0 && split_px < wall->pixels.x;
+    drawing.cutAt = !isCut ? 0.0F : part == Part::left ? 1.0F : -1.0F;
     const Wall* drawn = wall;
     if (part != Part::whole) {
-      const int right_px = part == Part::left ? middle_px : wall->pixels.x;
+      const int right_px = part == Part::left ? split_px : wall->pixels.x;
       drawn = &parts_.emplace_back(columnsOf(*wall, drawing.left_px, right_px));
     }
     pictures_.push_back(

@@ -25,10 +25,16 @@ struct PicturedWall {
   const Wall* wall = nullptr;
   RenderTarget* picture = nullptr;
   WallMeters* meters = nullptr;
+  /// The column in which the right half of a split wall begins: its middle, but of a piece of a curved
+  /// screen, which lies on one half, one of its ends.
+  int split_px = 0;
 };
 
 /// Returns the columns of `wall` from `left_px` up to `right_px` as a wall of its own.
 Wall columnsOf(const Wall& wall, int left_px, int right_px);
+
+/// Draws the line between the halves of a split wall into its picture.
+void drawSplitLine(const RenderTarget& picture);
 
 class EyeRenderer {
  public:

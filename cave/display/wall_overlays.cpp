@@ -4,7 +4,7 @@ namespace carom {
 
 void WallOverlays::setRoom(const RoomGeometry& room) {
   front_ = frontWall(room);
-  if (room.isHeadset) board_.emplace(room.walls.front());
+  if (room.panel) board_.emplace(*room.panel);
   for (std::size_t viewer = 0; viewer < room.viewers.size(); ++viewer) {
     rooms_.at(viewer) = seenBy(room, viewer);
     if (front_) words_[viewer].setWall(*front_, rooms_[viewer].viewers);
@@ -17,15 +17,13 @@ void WallOverlays::draw(const SeenFrame& seen, const WallPictures& pictures) {
   if (board_)
     drawFront(
         {room, board_->place(), true, seen.self.observer.middle.positionInRoom_m, seen, board_->wiped()});
-  for (const WallPictures::WallEye& wallEye : pictures.eyes()) {
-    if (wallEye.eye.viewer != seen.viewer) continue;
-    const Wall& wall = pictures.walls()[wallEye.wall];
+  for (const WallPictures::FlatEye& flat : pictures.flatEyes()) {
     const Over over{room,
-                    wall,
-                    front_ && standSame(*front_, wall),
-                    seen.self.observer.of(wallEye.eye.eye).positionInRoom_m,
+                    *flat.wall,
+                    front_ && standSame(*front_, *flat.wall),
+                    seen.self.observer.of(flat.eye.eye).positionInRoom_m,
                     seen,
-                    wallEye.pictures.drawn()};
+                    *flat.picture};
     for (const auto overlay : kOverlays) (this->*overlay)(over);
   }
 }

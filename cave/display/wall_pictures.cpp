@@ -3,7 +3,10 @@
 #include <utility>
 
 #include "cave/display/calibration_pattern.h"
+#include "cave/display/screen_pattern.h"
+#include "cave/gl/image.h"
 #include "cave/room/headset_walls.h"
+#include "cave/screen/curved_screen.h"
 
 namespace carom {
 
@@ -18,12 +21,24 @@ WallPictures::WallPictures(Graphics& graphics, const Scene& scene, double lightS
       walls_(std::move(walls)),
       session_(std::make_unique<EyeRenderer>(graphics, scene, lightSpeed_m_s)) {
   graphics_.makeCurrent();
+  for (const Wall& wall : walls_) flatWalls_.push_back(wall.screen ? flatWallsOf(wall) : std::vector<Wall>());
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
     firstEyeOf_.push_back(eyes_.size());
-    for (const ViewerEye& eye : carom::eyesOf(walls_[wall]))
-      eyes_.push_back({wall, eye, FrameDelay(walls_[wall].pixels, walls_[wall].heldFrames), {}});
+    for (const ViewerEye& eye : carom::eyesOf(walls_[wall])) {
+      eyes_.push_back({wall, eye, FrameDelay(walls_[wall].pixels, walls_[wall].heldFrames), {}, {}, {}});
+      addPieces(eyes_.back());
+    }
   }
   firstEyeOf_.push_back(eyes_.size());
+}
+
+void WallPictures::addPieces(WallEye& wallEye) {
+  const Wall& wall = walls_[wallEye.wall];
+  wallEye.meters.resize(std::max<std::size_t>(1, flatWalls_[wallEye.wall].size()));
+  if (!wall.screen) return;
+  for (const Wall& flat : flatWalls_[wallEye.wall])
+    wallEye.pieces.push_back(std::make_unique<RenderTarget>(flat.pixels, Sampled::light));
+  wallEye.screen = std::make_unique<ScreenPicture>(*wall.screen);
 }
 
 void WallPictures::setScene(const Scene& scene, double lightSpeed_m_s) {
@@ -40,14 +55,39 @@ void WallPictures::hangOnHead(const HeadsetState& headset) {
 void WallPictures::drawSession(const SeenFrame& seen, const World& world) {
   calibrationPatterns_.reset();
   split_ = seen.record.views.split != 0;
+  flatEyes_.clear();
   for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {
     pictured_.clear();
     for (WallEye& wallEye : eyes_) {
-      if (wallEye.eye == ViewerEye{seen.viewer, eye})
-        pictured_.push_back({&walls_[wallEye.wall], &wallEye.pictures.next(),
-                             seen.record.controls.latency ? &wallEye.meters : nullptr});
+      if (wallEye.eye == ViewerEye{seen.viewer, eye}) addPictured(wallEye, seen.record.controls.latency != 0);
     }
+    for (const PicturedWall& drawn : pictured_)
+      flatEyes_.push_back({drawn.wall, {seen.viewer, eye}, drawn.picture});
     session_->draw(seen.record, world, seen.self.observer, seen.self.observer.of(eye), pictured_);
+  }
+}
+
+/// Adds the flat walls of an eye of a wall to those that are drawn next.
+void WallPictures::addPictured(WallEye& wallEye, bool measured) {
+  const auto meters = [&](std::size_t i) { return measured ? &wallEye.meters[i] : nullptr; };
+  const Wall& wall = walls_[wallEye.wall];
+  if (!wall.screen) {
+    pictured_.push_back({&wall, &wallEye.pictures.next(), meters(0), wall.pixels.x / 2});
+    return;
+  }
+  for (std::size_t i = 0; i < wallEye.pieces.size(); ++i) {
+    const Wall& flat = flatWalls_[wallEye.wall][i];
+    const bool onLeft = i < wall.screen->leftPieces;
+    pictured_.push_back({&flat, wallEye.pieces[i].get(), meters(i), onLeft ? flat.pixels.x : 0});
+  }
+}
+
+void WallPictures::drawScreens(const SeenFrame& seen) {
+  for (WallEye& wallEye : eyes_) {
+    if (!wallEye.screen || wallEye.eye.viewer != seen.viewer) continue;
+    RenderTarget& picture = wallEye.pictures.next();
+    wallEye.screen->draw(seen.self.observer.of(wallEye.eye.eye).positionInRoom_m, wallEye.pieces, picture);
+    if (split_) drawSplitLine(picture);
   }
 }
 
@@ -56,10 +96,24 @@ void WallPictures::drawCalibrationPatterns(bool eyesSwapped) {
   graphics_.makeCurrent();
   for (WallEye& wallEye : eyes_) {
     const Wall& wall = walls_[wallEye.wall];
-    const Image pattern = calibrationPattern(wall, eyesSwapped ? otherOf(wallEye.eye.eye) : wallEye.eye.eye);
+    const Eye eye = eyesSwapped ? otherOf(wallEye.eye.eye) : wallEye.eye.eye;
+    const Image pattern =
+        wall.screen ? screenPattern(wall, eye, crossesOf(wallEye)) : calibrationPattern(wall, eye);
     for (std::size_t i = 0; i <= wall.heldFrames; ++i) wallEye.pictures.next().fill(pattern.rgb);
   }
   calibrationPatterns_ = eyesSwapped;
+}
+
+/// Returns the picture of a curved wall's window with a cross at each marked point, drawn through the pieces
+/// for an eye in the middle of those for which they are made.
+Image WallPictures::crossesOf(WallEye& wallEye) {
+  const CurvedScreen& screen = *walls_[wallEye.wall].screen;
+  const std::vector<ScreenPoint> marked = markedPoints(screen);
+  for (std::size_t i = 0; i < wallEye.pieces.size(); ++i)
+    wallEye.pieces[i]->fill(crossesOn(screen.pieces[i], marked, screen.eyesMiddle_m).rgb);
+  RenderTarget& picture = wallEye.pictures.next();
+  wallEye.screen->draw(screen.eyesMiddle_m, wallEye.pieces, picture);
+  return readBack(picture);
 }
 
 void WallPictures::drawSeams(double display_s) {
@@ -74,9 +128,11 @@ void WallPictures::drawBlack() {
   for (WallEye& wallEye : eyes_) wallEye.pictures.next().clear();
 }
 
-const RenderTarget* WallPictures::pictureOf(const std::string& wall) const {
+const RenderTarget* WallPictures::pictureOf(const std::string& wall, int piece) const {
   for (const WallEye& wallEye : eyes_) {
-    if (walls_[wallEye.wall].name == wall) return &wallEye.pictures.drawn();
+    if (walls_[wallEye.wall].name != wall) continue;
+    return piece == 0 ? &wallEye.pictures.drawn()
+                      : wallEye.pieces.at(static_cast<std::size_t>(piece - 1)).get();
   }
   return nullptr;
 }
@@ -107,9 +163,11 @@ std::span<const WallTime> WallPictures::drawingTimes() const {
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
     WallTime& time = times_.emplace_back(WallTime{walls_[wall].name.c_str(), 0.0F, 0});
     for (const WallEye& wallEye : eyesOf(wall)) {
-      for (std::size_t half = 0; half < (split_ ? 2U : 1U); ++half) {
-        time.drawn_s += wallEye.meters[half].timer.median_s();
-        time.triangles += wallEye.meters[half].triangles;
+      for (const WallMeters& meters : wallEye.meters) {
+        for (std::size_t half = 0; half < (split_ ? 2U : 1U); ++half) {
+          time.drawn_s += meters[half].timer.median_s();
+          time.triangles += meters[half].triangles;
+        }
       }
     }
   }

@@ -12,7 +12,7 @@
 #include "cave/display/wall_pictures.h"
 #include "cave/display/window.h"
 #include "cave/projection/projector.h"
-#include "cave/room/wall_pointer.h"
+#include "cave/screen/wall_pointer.h"
 
 namespace carom {
 

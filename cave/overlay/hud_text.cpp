@@ -293,13 +293,6 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
 
 }  // namespace
 
-std::optional<Wall> frontWall(const RoomGeometry& room) {
-  for (const Wall& wall : room.walls) {
-    if (-glm::dot(normalOf(wall), room.forward) > std::sqrt(0.5)) return wall;
-  }
-  return std::nullopt;
-}
-
 void describe(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
               std::size_t letters, std::vector<HudLine>& words) {
   Lines lines(words, letters);

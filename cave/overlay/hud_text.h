@@ -15,10 +15,6 @@
 
 namespace carom {
 
-/// Returns the first wall that a person faces, within 45°, when looking forward, or none if the room has no
-/// such wall.
-std::optional<Wall> frontWall(const RoomGeometry& room);
-
 /// Fills `lines`, whose memory is reused, with the session's text, in lines of `letters`: what was just
 /// refused or has happened; the lesson's texts for the record's phase, or without a lesson the views of time
 /// that are on, each with the colour it is drawn in; with `clocks`, the person's own clock, their speed on

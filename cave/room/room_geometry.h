@@ -2,6 +2,7 @@
 // The room as the overlays and the spectator view know it, beyond the walls that a node draws.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,11 +24,12 @@ struct RoomViewer {
 };
 
 struct RoomGeometry {
-  std::vector<Wall> walls;                                ///< of all nodes
+  std::vector<Wall> walls;                                ///< of all nodes, flat: pieces of curved ones
   glm::dvec3 up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};  ///< unit vectors
   std::vector<RoomViewer> viewers{1};                     ///< in the order of a frame's record
-  /// The viewer wears a headset and sees all around; the one wall is a board that stands in the room.
-  bool isHeadset = false;
+  /// The board that stands in the room and carries words and choices where no wall does.
+  std::optional<Wall> panel{};
+  bool isHeadset = false;  ///< the viewer wears a headset and sees all around; the one wall is the panel
 };
 
 /// Returns the room with another viewer in the first's place, and the other way round, as the frame's record
@@ -36,6 +38,10 @@ inline RoomGeometry seenBy(RoomGeometry room, std::size_t viewer) {
   std::swap(room.viewers.front(), room.viewers.at(viewer));
   return room;
 }
+
+/// Returns the wall that carries words and choices: the room's panel, or the first wall that a person faces,
+/// within 45°, when looking forward; none if the room has no such wall.
+std::optional<Wall> frontWall(const RoomGeometry& room);
 
 /// Returns whether two walls are the same screen, as when one computer draws for each eye.
 inline bool standSame(const Wall& a, const Wall& b) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,8 +76,10 @@ struct ViewerEye {
   bool operator==(const ViewerEye&) const = default;
 };
 
+struct CurvedScreen;  // cave/screen/curved_screen.h
+
 /// A rectangle given by three of its corners, as seen from inside the room. Of a screen that is no rectangle,
-/// it is the one around it.
+/// it is the one around it; a curved screen has its own description, and is drawn on several flat walls.
 struct Wall {
   std::string name;
   glm::dvec3 lowerLeft_m{0.0};
@@ -96,6 +99,9 @@ struct Wall {
   std::vector<std::string> pictureNames;
   /// The screen's own corners; none: they are those of the rectangle.
   std::optional<SkewedScreen> skewed;
+  std::shared_ptr<const CurvedScreen> screen;  ///< it is curved; its corners are not set; null: flat
+  int piece =
+      0;  ///< of the flat walls on which a curved screen is drawn, counted from 1; 0: it is none of them
   std::filesystem::path warp;  ///< mesh that warps the picture to the screen (.pfm, .obj); empty: none
   /// Meshes of its own for red, green and blue, for projectors whose colours do not lie upon each other;
   /// empty: all colours as `warp`.

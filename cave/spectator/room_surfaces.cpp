@@ -104,7 +104,7 @@ void RoomSurfaces::drawPanel(const Wall& wall, const OutsideView& view, const Di
   glUseProgram(panelProgram_);
   glBindVertexArray(vertexArray_);
   setUniform(panelProgram_, "shown", 0);
-  const RenderTarget* live = shown.pictureOf(wall.name);
+  const RenderTarget* live = shown.pictureOf(wall.name, wall.piece);
   setUniform(panelProgram_, "empty", live ? 0 : 1);
   if (live) glBindTexture(GL_TEXTURE_2D, live->texture());
   drawRectangle(panelProgram_, view, wall);
@@ -115,6 +115,7 @@ void RoomSurfaces::drawNames(const OutsideView& view) const {
   glBindVertexArray(vertexArray_);
   setUniform(wordsProgram_, "words", 0);
   for (std::size_t i = 0; i < walls_.size(); ++i) {
+    if (walls_[i].piece > 1) continue;  // the first piece of a curved wall has its name
     const glm::dvec4 at =
         view.clipFromRoom * glm::dvec4(placeOfName_m(walls_[i], room_.up, view.camera_m), 1.0);
     if (!(at.w > 0.0)) continue;

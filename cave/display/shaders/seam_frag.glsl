@@ -1,17 +1,13 @@
 // The planes of the room that move along its axes, where they cut a wall: x in red, y in green, z in blue.
 #version 150
-uniform vec3 lowerLeft_m;  // of the wall, in the room
-uniform vec3 across_m;     // to its lower right
-uniform vec3 upwards_m;    // to its upper left
 uniform vec3 first_m;      // where one plane of each axis is now
 uniform float period_m;    // from plane to plane
 uniform float halfLine_m;  // of a line, in the wall
-in vec2 place;
+in vec3 room_m;  // of the pixel's place on the screen
 out vec4 colour;
 
 void main() {
-  vec3 room_m = lowerLeft_m + place.x * across_m + place.y * upwards_m;
-  vec3 normal = normalize(cross(across_m, upwards_m));
+  vec3 normal = normalize(cross(dFdx(room_m), dFdy(room_m)));
   for (int axis = 0; axis < 3; ++axis) {
     // How fast the coordinate grows in the wall, at most; a plane nearly along the wall would flood it.
     float slope = sqrt(max(1.0 - normal[axis] * normal[axis], 0.0));

@@ -21,7 +21,7 @@ class Seams : public testing::Test {
  protected:
   Image drawn(const Wall& wall, double time_s) {
     graphics_.makeCurrent();
-    const AlignmentPattern pattern;
+    AlignmentPattern pattern;
     RenderTarget picture(wall.pixels);
     pattern.draw(wall, time_s, picture);
     return readBack(picture);

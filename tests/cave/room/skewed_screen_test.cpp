@@ -14,7 +14,7 @@
 #include <random>
 
 #include "cave/room/off_axis.h"
-#include "cave/room/wall_pointer.h"
+#include "cave/screen/wall_pointer.h"
 
 namespace carom {
 namespace {

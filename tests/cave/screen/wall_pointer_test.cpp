@@ -1,6 +1,6 @@
 // A point of the scene, projected to a pixel of a window and pointed to there, lies on the ray of the eye
 // whose picture it is in.
-#include "cave/room/wall_pointer.h"
+#include "cave/screen/wall_pointer.h"
 
 #include <gtest/gtest.h>
 

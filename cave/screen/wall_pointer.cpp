@@ -1,7 +1,9 @@
-#include "cave/room/wall_pointer.h"
+#include "cave/screen/wall_pointer.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "cave/screen/curved_screen.h"
 
 namespace carom {
 namespace {
@@ -36,6 +38,10 @@ std::optional<PointedWall> pointedIn(const Wall& wall, const Viewport& pane, con
   if (wall.flip == Flip::horizontal || wall.flip == Flip::both) share.x = 1.0 - share.x;
   if (wall.flip == Flip::vertical || wall.flip == Flip::both) share.y = 1.0 - share.y;
   glm::dvec2 inPicture(share.x, 1.0 - share.y);
+  if (wall.screen) {
+    const auto onScreen_m = inRoom_m(wall.screen->mesh, glm::clamp(inPicture, 0.0, 1.0));
+    return onScreen_m ? std::optional(PointedWall{*onScreen_m, eye}) : std::nullopt;
+  }
   if (wall.skewed) {
     const glm::dvec3 place = pictureFromWindow(*wall.skewed) * glm::dvec3(inPicture, 1.0);
     if (!(place.z > 0.0)) return std::nullopt;  // so far beyond the pane that the screen's plane has ended

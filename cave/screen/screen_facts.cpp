@@ -1,0 +1,75 @@
+#include "cave/screen/screen_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+namespace carom {
+namespace {
+
+/// Returns the length of the screen along an axis of the window, through its middle.
+double lengthAlong_m(const ScreenMesh& mesh, int axis) {
+  constexpr int kSteps = 256;
+  double length_m = 0.0;
+  std::optional<glm::dvec3> before_m;
+  for (int i = 0; i <= kSteps; ++i) {
+    glm::dvec2 place(0.5);
+    place[axis] = static_cast<double>(i) / kSteps;
+    const std::optional<glm::dvec3> at_m = inRoom_m(mesh, place);
+    if (at_m && before_m) length_m += glm::distance(*at_m, *before_m);
+    before_m = at_m;
+  }
+  return length_m;
+}
+
+/// Returns the angle between the normal that is farthest from the first one and the one farthest from that.
+double turns_rad(const std::vector<glm::dvec3>& normals) {
+  const auto farthestFrom = [&](const glm::dvec3& normal) {
+    return *std::min_element(normals.begin(), normals.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
+      return glm::dot(a, normal) < glm::dot(b, normal);
+    });
+  };
+  const glm::dvec3 one = farthestFrom(normals.front());
+  return std::acos(std::clamp(glm::dot(one, farthestFrom(one)), -1.0, 1.0));
+}
+
+}  // namespace
+
+ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, const glm::dvec3& eyes_m) {
+  ScreenFacts facts;
+  facts.width_m = lengthAlong_m(screen.mesh, 0);
+  facts.height_m = lengthAlong_m(screen.mesh, 1);
+  facts.leastPerMetre = facts.nearest_m = std::numeric_limits<double>::infinity();
+  facts.isBehind = true;
+  const double window_px2 = static_cast<double>(window_px.x) * window_px.y;
+  double shown_px2 = 0.0, texels = 0.0;
+  std::vector<glm::dvec3> normals;
+  for (const ScreenTriangle& t : screen.mesh) {
+    const double side = windowArea(t) < 0.0 ? -1.0 : 1.0;
+    const glm::dvec3 area = side * glm::cross(t[1].inRoom_m - t[0].inRoom_m, t[2].inRoom_m - t[0].inRoom_m);
+    const double area_m2 = 0.5 * glm::length(area), area_px2 = 0.5 * std::abs(windowArea(t)) * window_px2;
+    if (!(area_m2 > 0.0)) continue;
+    normals.push_back(glm::normalize(area));
+    shown_px2 += area_px2;
+    const double perMetre = std::sqrt(area_px2 / area_m2);
+    facts.leastPerMetre = std::min(facts.leastPerMetre, perMetre);
+    facts.mostPerMetre = std::max(facts.mostPerMetre, perMetre);
+    const glm::dvec3 toEyes_m = eyes_m - (t[0].inRoom_m + t[1].inRoom_m + t[2].inRoom_m) / 3.0;
+    const double squarely = glm::dot(normals.back(), glm::normalize(toEyes_m));
+    facts.isBehind = facts.isBehind && squarely <= 0.0;
+    facts.mostIncidence_rad = std::max(facts.mostIncidence_rad, std::acos(std::clamp(squarely, -1.0, 1.0)));
+    facts.nearest_m = std::min(facts.nearest_m, glm::length(toEyes_m));
+    facts.farthest_m = std::max(facts.farthest_m, glm::length(toEyes_m));
+  }
+  for (const FlatPiece& piece : screen.pieces)
+    texels += static_cast<double>(piece.wall.pixels.x) * piece.wall.pixels.y;
+  facts.turns_rad = turns_rad(normals);
+  facts.covered = shown_px2 / window_px2;
+  facts.texelsPerPixel = texels / shown_px2;
+  return facts;
+}
+
+}  // namespace carom

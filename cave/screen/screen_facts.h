@@ -1,0 +1,24 @@
+#pragma once
+// What a curved screen is like for somebody who stands before it.
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "cave/screen/curved_screen.h"
+
+namespace carom {
+
+struct ScreenFacts {
+  double width_m = 0.0, height_m = 0.0;            ///< along the screen, through the middle of its window
+  double turns_rad = 0.0;                          ///< the angle between its normals that are farthest apart
+  double leastPerMetre = 0.0, mostPerMetre = 0.0;  ///< pixels of the window
+  double nearest_m = 0.0, farthest_m = 0.0;        ///< from the eyes
+  double mostIncidence_rad = 0.0;                  ///< between the screen's normal and the line to the eyes
+  double covered = 0.0;                            ///< share of the window that shows screen
+  double texelsPerPixel = 0.0;  ///< texels of the flat pieces, of a pixel of the window that shows screen
+  bool isBehind = false;        ///< the eyes are behind the whole screen
+};
+
+ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, const glm::dvec3& eyes_m);
+
+}  // namespace carom

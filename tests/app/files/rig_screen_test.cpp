@@ -1,0 +1,145 @@
+// Curved screens in rig files: where their formulas put the window, what is refused, and the board for words.
+#include "app/files/rig_screen.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "app/input_faults.h"
+#include "app/temporary_folder.h"
+#include "cave/screen/curved_screen.h"
+
+namespace carom {
+namespace {
+
+using test::Fault;
+using test::TemporaryFolder;
+
+const std::string kArc =
+    "unit = 'cm'\n"
+    "axes = 'x-right y-forward z-up'\n"
+    "[head]\n"
+    "tracker = 'cap'\n"
+    "[[tracker]]\n"
+    "name = 'cap'\n"
+    "kind = 'simulated'\n"
+    "[[wall]]\n"
+    "name = 'arc'\n"
+    "pixels = [800, 400]\n"
+    "screen = { shape = 'cylinder', foot = [10, 20, 0], axis = [0, 0, 2], radius = 300, from_deg = -60, "
+    "to_deg = 60, "
+    "bottom = 10, top = 260 }\n";
+
+Rig read(const std::string& text) {
+  const TemporaryFolder folder;
+  return readRig(folder.file("given.toml", text));
+}
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = kArc;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+void expectAt(const Wall& wall, const glm::dvec2& inWindow, const glm::dvec3& expected_m) {
+  constexpr double kMesh_m = 3e-3;  // a tenth of a pixel: what the mesh may stand off the formula
+  const auto place_m = inRoom_m(wall.screen->mesh, inWindow);
+  ASSERT_TRUE(place_m);
+  EXPECT_LT(glm::distance(*place_m, expected_m), kMesh_m)
+      << place_m->x << " " << place_m->y << " " << place_m->z;
+}
+
+TEST(RigScreen, ACylinderTurnsToTheRightFromAhead) {
+  const Rig rig = read(kArc);
+  const Wall& wall = rig.walls.at(0);
+  ASSERT_TRUE(wall.screen);
+  expectAt(wall, {0.0, 0.0}, {0.1 - 3.0 * std::sin(std::numbers::pi / 3.0), 0.2 + 1.5, 0.1});
+  expectAt(wall, {0.5, 1.0}, {0.1, 3.2, 2.6});
+  expectAt(wall, {1.0, 0.5}, {0.1 + 3.0 * std::sin(std::numbers::pi / 3.0), 0.2 + 1.5, 1.35});
+}
+
+TEST(RigScreen, ADomeHasItsFrontAtTheBottomAndLeansForward) {
+  const Rig rig = read(
+      kArc.substr(0, kArc.find("screen")) +
+      "facet_sagitta = 30\nscreen = { shape = 'dome', centre = [0, 0, 120], radius = 500, fov_deg = 180, "
+      "tilt_deg = 20, heading_deg = 90 }\n");
+  const Wall& wall = rig.walls.at(0);
+  const double tilt = 20.0 * std::numbers::pi / 180.0;  // towards +x, where the heading is
+  expectAt(wall, {0.5, 0.5}, {5.0 * std::sin(tilt), 0.0, 1.2 + 5.0 * std::cos(tilt)});
+  // Half way down: 45° from the axis, to the front.
+  const double below = tilt + std::numbers::pi / 4.0;
+  expectAt(wall, {0.5, 0.25}, {5.0 * std::sin(below), 0.0, 1.2 + 5.0 * std::cos(below)});
+  // Half way to the left of somebody who faces the front: the circle fits the window's height.
+  const double side = 5.0 * std::sqrt(0.5);
+  expectAt(wall, {0.375, 0.5}, {side * std::sin(tilt), side, 1.2 + side * std::cos(tilt)});
+}
+
+TEST(RigScreen, WordsStandOnAChordAheadWhereNoFlatWallDoes) {
+  const Rig rig = read(kArc);
+  ASSERT_TRUE(rig.panel);
+  const Wall& panel = *rig.panel;
+  const double half_m = 3.0 * std::sin(std::numbers::pi / 6.0);
+  EXPECT_NEAR(panel.lowerRight_m.x - panel.lowerLeft_m.x, 2.0 * half_m, 0.3);
+  EXPECT_LT(glm::length(panel.lowerLeft_m - glm::dvec3(0.1, 0.2, panel.lowerLeft_m.z)), 3.0 + 1e-3)
+      << "it stands on the inner side of the screen";
+  EXPECT_LT(normalOf(panel).y, -0.99);
+  EXPECT_GE(panel.lowerLeft_m.z, 0.1);
+  EXPECT_LE(panel.upperLeft_m.z, 2.6);
+}
+
+TEST(RigScreen, APanelIsWhereTheRigSays) {
+  const Rig rig =
+      read(kArc +
+           "[panel]\nlower_left = [-100, 250, 50]\nlower_right = [100, 250, 50]\nupper_left = [-100, "
+           "250, 150]\n");
+  ASSERT_TRUE(rig.panel);
+  EXPECT_EQ(rig.panel->lowerLeft_m, glm::dvec3(-1.0, 2.5, 0.5));
+}
+
+TEST(RigScreen, PiecesAreTheFlatWallsOfTheRoom) {
+  const Rig rig = read(kArc);
+  const std::vector<Wall> flat = standingWalls(rig);
+  ASSERT_EQ(flat.size(), rig.walls[0].screen->pieces.size());
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    EXPECT_EQ(flat[i].name, "arc");
+    EXPECT_EQ(flat[i].piece, static_cast<int>(i) + 1);
+    EXPECT_FALSE(flat[i].screen);
+    EXPECT_GT(glm::dot(normalOf(flat[i]), glm::dvec3(0.1, 0.2, 1.7) - flat[i].lowerLeft_m), 2.0);
+  }
+}
+
+class RigScreenFaults : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(RigScreenFaults, ArePlacedAndExplained) { test::expectExplained(GetParam(), read); }
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RigScreenFaults,
+    ::testing::Values(
+        Fault{"no turn", changed("to_deg = 60", "to_deg = -60"), 11, 109, "more than 0 and at most 360"},
+        Fault{"over a turn", changed("to_deg = 60", "to_deg = 301"), 11, 109, "by 361°"},
+        Fault{"no radius", changed("radius = 300", "radius = 0"), 11, 79, "a number above 0"},
+        Fault{"upside down", changed("bottom = 10", "bottom = 270"), 11, 133, "not above the bottom"},
+        Fault{"no axis", changed("[0, 0, 2]", "[0, 0, 0]"), 11, 59, "has no length"},
+        Fault{"no texels", changed("screen", "texels_per_pixel = 0\nscreen"), 11, 20, "from 1 to 4"},
+        Fault{"corners, too", changed("screen", "lower_left = [0, 0, 0]\nscreen"), 11, 14, "beside screen"},
+        Fault{"a flat wall's sagitta",
+              kArc + "[[wall]]\nname = 'flat'\nlower_left = [0, 300, 0]\nlower_right = [100, "
+                     "300, 0]\nupper_left = [0, 300, 100]\npixels = [9, 9]\nfacet_sagitta = 1\n",
+              18, 17, "of a wall with a screen"},
+        Fault{"a panel behind the head",
+              kArc + "[panel]\nlower_left = [100, -250, 50]\nlower_right = [-100, -250, 50]\nupper_left = "
+                     "[100, -250, "
+                     "150]\n",
+              12, 1, "face somebody who looks forward"}),
+    [](const auto& given) {
+      std::string name = given.param.what;
+      std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+      return name;
+    });
+
+}  // namespace
+}  // namespace carom
