@@ -148,7 +148,7 @@ void writeRim(PatternCanvas& canvas, const CurvedScreen& screen, double unit_px)
       place = glm::mix(corner, glm::dvec2(0.5), share);
       at_m = inRoom_m(screen.mesh, place);
     }
-    if (at_m) canvas.write(cornerWords(*at_m), 0.03 * unit_px, place, corner.x < 0.5 ? 0.0 : 1.0, 0.46);
+    if (at_m) canvas.write(cornerWords(*at_m), 0.03 * unit_px, place, corner.x < 0.5 ? 0.0 : 1.0, 0.33);
   }
 }
 
