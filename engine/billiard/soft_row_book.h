@@ -6,9 +6,9 @@
 // What must be stored to see them again: nothing but the setup with all its strokes. The rows are made from
 // the steps of the simulation alone, and these do not depend on the times to which one advances: a game that
 // is played anew, to any time, gives the same rows, bit for bit. So a journal keeps a game's scenario and its
-// strokes by hand, as it does for rigid pucks, and whoever resumes or replays from some moment plays the game
-// anew and takes its rows: about 1.5 MB a metre of light and awake puck are not written. Which frame takes a
-// row does depend on the times to which one advanced; the picture does not, since a row is made at least
+// strokes by hand, as it does for rigid pucks, and to resume or replay from some moment is to play the game
+// anew and to take its rows: about 1.5 MB a metre of light and awake puck are not written. The frame that
+// takes a row depends on the times to which one advanced; the picture does not, since a row is made at least
 // kLongest (engine/soft/row_recorder.h) ahead of the eyes. A stroke takes back the rows from the point to
 // which the game returns (`truncatedFrom`), and they come again.
 

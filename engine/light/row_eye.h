@@ -1,14 +1,14 @@
 #pragma once
 // One eye that looks at points whose histories are rows: places at common board times, between which every
 // point moves straight and evenly. For soft pucks and told deforming bodies, which are drawn from their rows;
-// it knows all switches and moments of ViewTime.
-//
-// From the observation let a point be at (T, X) and a step later at (T + ΔT, X + ΔX). It is seen where −T =
-// |X|: f = −T − |X| falls along every point that is slower than light, so one pair of rows has f ≥ 0 before
-// and f < 0 after, and between them the retarded root of −T − s ΔT = |X + s ΔX| is
+// it knows all switches and moments of ViewTime. With (T, X) a point's event from the observation, and a step
+// later (T + ΔT, X + ΔX), it is seen where f = −T − |X| vanishes. f falls along all that is slower than
+// light, so one pair of rows has f ≥ 0 before and f < 0 after. The retarded root, and at the other moments:
 //     s = C/(B + sqrt(B² − A C)),   A = ΔT² − ΔX²,   B = X·ΔX − T ΔT,   C = T² − X²
-// At the board's present s = −T/ΔT, at the head's, which moves with β on the board, s = −(T − β·X)/(ΔT −
-// β·ΔX). Theory: app/doc/physics.md, Sampled histories.
+//     s = −T/ΔT   at the board's present
+//     s = −(T − β·X)/(ΔT − β·ΔX)   at the present of a head that moves with β on the board
+//
+// Theory: app/doc/physics.md, Sampled histories.
 
 #include <algorithm>
 #include <cmath>

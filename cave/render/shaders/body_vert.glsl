@@ -5,7 +5,8 @@
 // COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined
 // or not are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it
 // has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; GHOST,
-// the body is shown at one moment and is not lit; FOLLOWED, its points move by themselves and have been solved for.
+// the body is shown at one moment and is not lit; FOLLOWED, its points move by themselves and have been
+// solved for.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;

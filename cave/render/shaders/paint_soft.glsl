@@ -1,6 +1,6 @@
-// A soft puck: its colour with dark lines printed on its matter, so that strain can be seen: five rings and twelve
-// spokes on a disc, squares on a rectangle. surface: radius of a disc, or 0; from line to line in metres; 0 on the
-// faces and 1 on the side. Or its strain or heat as a colour, with the same lines.
+// A soft puck: its colour with dark lines printed on its matter, so that strain can be seen: five rings and
+// twelve spokes on a disc, squares on a rectangle. surface: radius of a disc, or 0; from line to line in
+// metres; 0 on the faces and 1 on the side. Or its strain or heat as a colour, with the same lines.
 in float told;
 uniform int telling;  // 0: nothing, 1: strain, 2: heat
 
