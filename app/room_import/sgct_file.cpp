@@ -222,8 +222,10 @@ void assume(SgctReading& in) {
 
 }  // namespace
 
-Room readSgct(const std::filesystem::path& file) {
-  SgctReading in{readJson(file), foreignRoom(file, "an SGCT room")};
+Room readSgct(const std::filesystem::path& file) { return readSgct(file, readJson(file)); }
+
+Room readSgct(const std::filesystem::path& file, JsonNode root) {
+  SgctReading in{std::move(root), foreignRoom(file, "an SGCT room")};
   if (in.root.kind != Kind::object) {
     addError(in.room, in.root.at, fmt::format("this is {}, expected an object with nodes", in.root.words()));
     return std::move(in.room);

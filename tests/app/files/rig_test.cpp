@@ -600,7 +600,7 @@ TEST(Rig, RefusesViewersWhoDoNotFitTheirWalls) {
            {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left']"),
             "eyes has 1 name, expected one for each of the 2 channels of 'side-by-side'"},
            {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left', 'up']"),
-            "eyes has 'up', expected 'left', 'right' or a viewer's, such as 'anna.left'"},
+            "eyes has 'up', expected 'left', 'right', 'middle' or a viewer's, such as 'anna.left'"},
            {changedForTwo("viewer = 'anna'", "eyes = ['anna.left', 'bob.left']"),
             "eyes has 'bob.left', expected"},
            {five, "expected at most 4 in a room"},
