@@ -241,7 +241,9 @@ bool keepFirstViewer(Wall& wall) {
       wall.pictureNames.erase(wall.pictureNames.begin() + static_cast<std::ptrdiff_t>(i));
   }
   if (wall.eyes.size() < channels && !wall.eyes.empty())
-    wall.stereo = wall.eyes.front().eye == Eye::left ? StereoMode::left : StereoMode::right;
+    wall.stereo = wall.eyes.front().eye == Eye::left    ? StereoMode::left
+                  : wall.eyes.front().eye == Eye::right ? StereoMode::right
+                                                        : StereoMode::mono;
   wall.viewer = 0;
   return !wall.eyes.empty();
 }

@@ -92,6 +92,37 @@ Viewport partOf(const RoomWall& wall) {
   return wall.wall.viewport.value_or(Viewport{{0, 0}, wall.wall.window.size_px});
 }
 
+/// Leaves out people for whom no wall is, with a warning: a rig has none.
+void dropUnseen(Room& room) {
+  std::vector<bool> seen(room.people.size(), false);
+  for (const RoomWall& wall : room.walls) {
+    if (wall.wall.eyes.empty()) seen.at(wall.wall.viewer) = true;
+    for (const ViewerEye& eye : wall.wall.eyes) seen.at(eye.viewer) = true;
+  }
+  std::vector<std::size_t> now(room.people.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < room.people.size(); ++i) {
+    now[i] = kept;
+    if (seen[i]) {
+      if (kept != i) {
+        room.people[kept] = std::move(room.people[i]);
+        room.viewers[kept] = std::move(room.viewers[i]);
+      }
+      ++kept;
+    } else {
+      addWarning(room, room.viewers[i].at,
+                 fmt::format("viewer '{}' is left out: no wall is for them", room.people[i].setup.name));
+    }
+  }
+  room.people.resize(kept);
+  room.viewers.resize(kept);
+  room.eyeSeparation_m = room.people.front().setup.head.eyeSeparation_m;
+  for (RoomWall& wall : room.walls) {
+    wall.wall.viewer = wall.wall.eyes.empty() ? now[wall.wall.viewer] : now[wall.wall.eyes.front().viewer];
+    for (ViewerEye& eye : wall.wall.eyes) eye.viewer = now[eye.viewer];
+  }
+}
+
 /// Returns the unit vector of an axis by its name, "X" or "-Z"; none for other words.
 std::optional<glm::dvec3> axisNamed(std::string_view name) {
   double sign = 1.0;
@@ -300,6 +331,7 @@ void finishRoom(std::string_view expected, Room& room) {
   if (room.walls.empty() && !room.hasErrors())
     addError(room, {}, fmt::format("there is no wall here, expected {}", expected));
   separateOverlaps(room);
+  if (!room.walls.empty() && room.people.size() > 1) dropUnseen(room);
   if (room.viewers.empty()) room.viewers.push_back({kStandingEyes_m * room.axes.up, {}, "a viewer"});
 }
 

@@ -23,6 +23,7 @@ struct Reading {
   std::size_t open = 0, elements = 0;
   std::vector<OutsideEntity> leftOut;
   std::string refusal;  // why reading stopped, if expat gave no reason
+  FilePlace refusedAt{};
 
   XmlElement& current() {
     XmlElement* element = &root;
@@ -31,6 +32,7 @@ struct Reading {
   }
   void refuse(const char* why) {
     refusal = why;
+    refusedAt = lines.at(static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(parser))));
     XML_StopParser(parser, XML_FALSE);
   }
 };
@@ -136,7 +138,7 @@ XmlFile readXml(const std::filesystem::path& file, Doctype doctype) {
   const std::string text = readText(file, InputKind::xml);
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(XML_ParserCreate("UTF-8"),
                                                                             &XML_ParserFree);
-  Reading reading{parser.get(), text, LineIndex(text), {}, {}, 0, 0, {}, {}};
+  Reading reading{parser.get(), text, LineIndex(text), {}, {}, 0, 0, {}, {}, {}};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), begin, end);
   XML_SetCharacterDataHandler(parser.get(), characters);
@@ -152,7 +154,7 @@ XmlFile readXml(const std::filesystem::path& file, Doctype doctype) {
     return {std::move(reading.root), std::move(reading.leftOut)};
   }
   const auto where = static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(parser.get())));
-  const FilePlace at = reading.lines.at(where);
+  const FilePlace at = reading.refusal.empty() ? reading.lines.at(where) : reading.refusedAt;
   throw InputErrors(
       {InputError(file.string(), at.line, at.column,
                   reading.refusal.empty() ? fmt::format("this is no XML ({}), expected well-formed elements",

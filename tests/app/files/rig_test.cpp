@@ -573,6 +573,15 @@ TEST(Rig, AWallMayShowEyesOfTwoPeople) {
   EXPECT_EQ(swapped.walls[0].eyes, (std::vector<ViewerEye>{{0, Eye::right}, {0, Eye::left}}));
 }
 
+TEST(Rig, AWallMayShowOnePictureToBothEyesOfEach) {
+  const Rig eve = readRig(CAROM_CONFIG_DIR "/rigs/eve.toml");
+  EXPECT_EQ(eve.walls.back().eyes, (std::vector<ViewerEye>{{1, Eye::middle}, {0, Eye::middle}}));
+  EXPECT_EQ(sightsOf(eve, 1).back(), "sees floor (both eyes)");
+  const Rig alone = rigFor(eve, "second");
+  EXPECT_EQ(alone.walls.back().name, "floor");
+  EXPECT_EQ(alone.walls.back().stereo, StereoMode::mono);
+}
+
 TEST(Rig, RefusesViewersWhoDoNotFitTheirWalls) {
   const std::string third = "[[viewer]]\nname = 'cleo'\ntracker = 'cap'\nsensor = 2\n";
   std::string five = roomForTwo();
