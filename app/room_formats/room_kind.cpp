@@ -15,6 +15,7 @@
 #include "app/room_formats/jconf_file.h"
 #include "app/room_formats/ndisplay_file.h"
 #include "app/room_formats/part.h"
+#include "app/room_formats/sgct_trackers.h"
 #include "app/room_formats/sgct_xml.h"
 #include "app/room_import/pvx_file.h"
 #include "app/room_import/sgct_file.h"
@@ -64,12 +65,18 @@ bool isOneOf(const std::string& name, std::initializer_list<std::string_view> na
   return std::any_of(names.begin(), names.end(), [&](std::string_view known) { return alike(name, known); });
 }
 
+Room readSgctWithTrackers(const std::filesystem::path& file, const JsonNode& root) {
+  Room room = readSgct(file, root);
+  addSgctTrackers(root, room);
+  return room;
+}
+
 Room readXmlRoom(const std::filesystem::path& file, const std::string& wanted) {
   const XmlFile xml = readXml(file, Doctype::outside);
   const std::string& name = xml.root.name;
   if (name == "pvx") return readPvx(file);
   if (isOneOf(name, {"COCONFIG"})) return readCover(file, partOf(xml.root), wanted);
-  if (isOneOf(name, {"Cluster"})) return readSgct(file, sgctFromXml(partOf(xml.root)));
+  if (isOneOf(name, {"Cluster"})) return readSgctWithTrackers(file, sgctFromXml(partOf(xml.root)));
   if (isOneOf(name, {"blender_cave", "virtualEnvironment", "blendervr"}))
     return readBlender(file, partOf(xml.root), xml.leftOut, wanted);
   if (isOneOf(name, {"configuration"})) return readJconf(file, partOf(xml.root));
@@ -86,7 +93,7 @@ Room readJsonRoom(const std::filesystem::path& file, const std::string& wanted) 
       std::any_of(root.children.begin(), root.children.end(), [](const JsonNode& member) {
         return isOneOf(member.key, {"nodes", "masteraddress", "users", "version", "trackers"});
       });
-  if (isSgct || root.children.empty()) return readSgct(file);
+  if (isSgct || root.children.empty()) return readSgctWithTrackers(file, readJson(file));
   refuse(file, root.at, "this object has neither 'nodes', 'nDisplay' nor 'platforms'");
 }
 

@@ -199,15 +199,6 @@ void shareWindow(SgctReading& in) {
   }
 }
 
-void noteTrackers(SgctReading& in) {
-  const JsonNode* trackers = array(in.root, "trackers", in.room);
-  if (!trackers || trackers->children.empty()) return;
-  addWarning(
-      in.room, trackers->at,
-      "the trackers are not taken over: put each into the rig as a [[tracker]] of kind 'vrpn' and measure "
-      "its room_from_tracker");
-}
-
 void assume(SgctReading& in) {
   in.room.assumptions.push_back("the viewer's eyes start where the first user's pos has them");
   in.room.assumptions.push_back("each node is drawn by the MPI rank of its place in the file");
@@ -241,7 +232,6 @@ Room readSgct(const std::filesystem::path& file, JsonNode root) {
              "or 'PlanarProjection'");
   }
   shareWindow(in);
-  noteTrackers(in);
   assume(in);
   return std::move(in.room);
 }

@@ -60,6 +60,24 @@ TEST(SgctXml, AnglesGiveAPlane) {
   expectCorners(room, "right", {2, -2, -2}, {2, -2, 2}, {2, 2, -2});
 }
 
+TEST(SgctXml, TrackersOfTheFirstUserComeOver) {
+  const Room room = roomOf(
+      "room.xml",
+      with(kRoom, "<User eyeSeparation='0.067'>",
+           "<Tracker name='Art'><Offset x='1' y='0' z='0'/><Device name='Glasses'><Sensor "
+           "vrpnAddress='T@host' "
+           "id='3'/><Offset x='0' y='0.1' z='0'/></Device>\n<Device name='Phone'><Sensor "
+           "vrpnAddress='P@host' id='0'/>"
+           "</Device></Tracker><User eyeSeparation='0.067'><Tracking tracker='Art' device='Glasses'/>"));
+  ASSERT_EQ(room.trackers.size(), 1u) << allFindings(room);
+  EXPECT_EQ(room.trackers[0].source, "T@tcp://host");
+  EXPECT_EQ(room.trackers[0].roomFromTracker.position_m, glm::dvec3(1, 0, 0));
+  ASSERT_TRUE(room.people.at(0).isTracked);
+  EXPECT_EQ(room.people[0].setup.head.sensor.sensor, 3);
+  EXPECT_EQ(room.people[0].setup.head.eyesFromSensor.position_m, glm::dvec3(0, -0.1, 0));
+  EXPECT_EQ(findingWith(room, "device 'Phone'").at.line, 8);
+}
+
 TEST(SgctXml, FaultsAreNamedAtTheirPlaces) {
   EXPECT_EQ(refusalOf("room.xml", with(kRoom, "<size x='800'", "<size x='8/0'")).rfind("5:36: ", 0), 0u)
       << refusalOf("room.xml", with(kRoom, "<size x='800'", "<size x='8/0'"));
