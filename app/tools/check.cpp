@@ -277,7 +277,7 @@ void tellScenario(const std::filesystem::path& path, const FileOpeners& open) {
   tellRest(scenario.bodies.size(), "bodies");
   for (const ToldBody& body : scenario.told) {
     const std::size_t vertices = body.history.vertexCount();
-    fmt::print("body {}: moves as its history says, {} in {}; rooms do not draw it yet\n", body.name,
+    fmt::print("body {}: moves as its history says, {} in {}\n", body.name,
                vertices == 1 ? "1 vertex" : fmt::format("{} vertices", vertices),
                counted(body.history.rowCount(), "row"));
   }

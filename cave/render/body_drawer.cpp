@@ -22,6 +22,7 @@ constexpr float kDecalNearer = 0.002F;    // fraction of the distance by which a
 constexpr float kBodiesNearer = 0.0005F;  // the same of the last body
 constexpr float kHatch = 0.5F;            // of a ghost, as a fraction of its body's reach from its centre
 constexpr float kSoftGloss = 0.3F;
+constexpr double kPointReach_m = 0.03;  // stands for that of a told body
 constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
 
 /// Makes a texture of the four numbers a texel that a buffer holds.
@@ -237,23 +238,25 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   const bool ghost = chosen.moment != ViewTime::seen, isShadow = chosen.sort == ChosenPart::Sort::softShadow;
   PartUniforms uniforms;
   uniforms.drawnFromSeen = layers_[static_cast<std::size_t>(chosen.moment)].drawnFromSeen;
-  uniforms.appears_m = kAlways_m;
+  uniforms.appears_m = model.told ? SeenRows::kUnseen_m : kAlways_m;
   uniforms.colour = model.colour;
   uniforms.gloss = kSoftGloss;
-  uniforms.tint = static_cast<float>(model.body % 3);
-  const float share = static_cast<float>(model.body) / static_cast<float>(scene_.bodyCount);
+  const std::size_t body = model.told ? scene_.bodyCount + chosen.number : model.body;
+  uniforms.tint = static_cast<float>(body % 3);
+  const float share = static_cast<float>(body) / static_cast<float>(scene_.bodyCount);
   uniforms.nearer = ghost || isShadow ? kDecalNearer : kBodiesNearer * share;
   uniforms.ghostColour = linearOf(chosen.moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
-  uniforms.hatch_m = kHatch * static_cast<float>(model.reach_m());
+  uniforms.hatch_m = kHatch * static_cast<float>(model.told ? kPointReach_m : model.reach_m());
   uniforms.middleMotion = glm::vec4(gammaFromU(bound.middleU), bound.middleU);
   if (switches_ == kNoSwitches) uniforms.middleMotion = {1.0F, 0.0F, 0.0F, 0.0F};
   uniforms.telling = static_cast<int>(soft_.told());
-  const Paint paint = ghost ? Paint::plain : isShadow ? Paint::shadow : Paint::soft;
+  const bool isPlain = ghost || model.told != nullptr;
+  const Paint paint = isPlain ? Paint::plain : isShadow ? Paint::shadow : Paint::soft;
   BodyProgram* program = nullptr;
   programFor({Legs::followed, paint, switches_, chosen.moment}, program);
   use(program->name());
   program->set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
-  setState(isShadow || ghost, isShadow, !isShadow, false);
+  setState(isShadow || ghost, isShadow, !isShadow, model.told != nullptr);
   bindArray(soft_.array(chosen.moment));
   soft_.drawTriangles(chosen.number, isShadow);
 }
@@ -382,7 +385,7 @@ void BodyDrawer::takeSoft(ViewTime moment, Choice& choice) const {
     const SoftModel& model = soft_.model(number);
     const glm::dmat4& clip = choice.clipFromDrawn;
     const double shadow_m = scene_.longestShadow * model.height_m;
-    if (moment == ViewTime::seen && soft_.mayShow(moment, number, clip, shadow_m)) {
+    if (moment == ViewTime::seen && !model.told && soft_.mayShow(moment, number, clip, shadow_m)) {
       choice.parts.push_back({moment, number, 0, 0, ChosenPart::Sort::softShadow});
       choice.triangles += model.shadow.size() / 3;
     }

@@ -82,6 +82,44 @@ class PuckRows {
   const RowEye& eye_;
 };
 
+/// The rows of a told body as one eye has them. It is unseen before the first one.
+class ToldRows {
+ public:
+  ToldRows(const SampledHistory& history, std::span<const double> times_m, const RowEye& eye)
+      : history_(history), times_m_(times_m), eye_(eye) {}
+
+  std::size_t count() const { return times_m_.size(); }
+  double time_m(std::size_t k) const { return times_m_[k]; }
+  glm::dvec3 fromEye_m(std::size_t k, std::size_t point) const {
+    return history_.place_m(k, point) - eye_.observation().r_m;
+  }
+  glm::dvec3 velocityBefore(std::size_t) const { return glm::dvec3(0.0); }
+  glm::dvec3 velocityAfter(std::size_t point) const { return velocity(count() - 2, point); }
+  /// Over c, after a row.
+  glm::dvec3 velocity(std::size_t k, std::size_t point) const {
+    const std::size_t from = std::min(k, count() - 2);
+    return (history_.place_m(from + 1, point) - history_.place_m(from, point)) /
+           (times_m_[from + 1] - times_m_[from]);
+  }
+  glm::dvec3 placeAt(const RowSpot& spot, std::size_t point) const {
+    return history_.place_m(spot.row, point) +
+           (spot.boardTime_m - times_m_[spot.row]) * velocity(spot.row, point);
+  }
+
+ private:
+  const SampledHistory& history_;
+  std::span<const double> times_m_;
+  const RowEye& eye_;
+};
+
+/// A normal that is across a surface on the board, in the own frame of matter that moves with γβ = u.
+glm::dvec3 ownNormal(const glm::dvec3& normal, const glm::dvec3& u) {
+  const double gamma = gammaFromU(u);
+  const glm::dvec3 own = normal - u * (glm::dot(u, normal) / (gamma * (gamma + 1.0)));
+  const double length = glm::length(own);
+  return length > 0.0 ? own / length : glm::dvec3(0.0, 0.0, 1.0);
+}
+
 /// The normal of the side where these two nodes are beside a vertex. On the board it is across the hull; in
 /// the vertex's own frame lengths along its motion are longer, so less of it is along the motion.
 glm::dvec3 sideNormal(const glm::dvec2& before, const glm::dvec2& after, const glm::dvec2& v) {
@@ -168,6 +206,43 @@ SeenBound SeenRows::see(const SoftModel& model, const SoftPast& past, const Seen
   const auto isOnLeg = [](const Point& point) { return point.isOnLeg; };
   if (std::all_of(points_.begin(), points_.end(), isOnLeg)) bound.radius = -1.0;
   return bound;
+}
+
+SeenBound SeenRows::see(const SoftModel& model, const SeenHow& how, std::span<SeenVertex> vertices) {
+  const RowEye eye(how.observation, how.headFromBoard, how.switches, how.moment);
+  const SampledHistory& history = model.told->history;
+  times_m_.clear();
+  for (std::size_t k = 0; k < history.rowCount(); ++k)
+    times_m_.push_back(history.lightSpeed_m_s() * (history.time_s(k) - how.observation.t_s));
+  const ToldRows rows(history, times_m_, eye);
+  points_.resize(model.points.size());
+  std::size_t guess = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    Point& point = points_[i];
+    point.spot = eye.find(rows, i, guess);
+    guess = point.spot.row;
+    point.drawn = eye.drawn(point.spot.boardTime_m, point.spot.fromEye_m);
+    point.boardTime_m = point.spot.isBeforeAll ? 10.0 * kUnseen_m : eye.toldTime_m(point.spot.boardTime_m);
+    point.u = uFromBeta(rows.velocity(point.spot.row, i));
+  }
+  // Of each vertex the sum over its triangles, as they are on the board when it is seen.
+  normals_.assign(points_.size(), glm::dvec3(0.0));
+  for (const auto& corners : model.told->triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = corners[k], j = corners[(k + 1) % 3], l = corners[(k + 2) % 3];
+      const RowSpot& spot = points_[i].spot;
+      const glm::dvec3 at = rows.placeAt(spot, i);
+      normals_[i] += glm::cross(rows.placeAt(spot, j) - at, rows.placeAt(spot, l) - at);
+    }
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Point& at = points_[model.vertices[i].point];
+    const glm::dvec3 beside(model.painted[i].place_m), across = normals_[model.vertices[i].point];
+    const glm::dvec3 normal = beside == glm::dvec3(0.0) ? ownNormal(across, at.u) : glm::normalize(beside);
+    vertices[i] = {glm::vec3(at.drawn + beside), static_cast<float>(at.boardTime_m), glm::vec3(at.u), 0.0F,
+                   glm::vec3(normal)};
+  }
+  return boundOf(vertices);
 }
 
 }  // namespace carom

@@ -45,6 +45,11 @@ struct SeenHow {
 
 class SeenRows {
  public:
+  /// Fills `vertices`, as many as the model of a told body has. Those that are unseen yet have a board time
+  /// before kUnseen_m.
+  SeenBound see(const SoftModel& model, const SeenHow& how, std::span<SeenVertex> vertices);
+  static constexpr float kUnseen_m = -1e5F;
+
   /// Fills `vertices`, as many as the model has. `past` has rows.
   SeenBound see(const SoftModel& model, const SoftPast& past, const SeenHow& how, Told told,
                 std::span<SeenVertex> vertices);
@@ -63,6 +68,7 @@ class SeenRows {
 
   std::vector<Point> points_;
   std::vector<double> times_m_;  // of the rows, from the observation
+  std::vector<glm::dvec3> normals_;
   BodyView rigid_;
 };
 

@@ -64,7 +64,8 @@ void SoftDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, const Sw
                       const SoftLook& soft) {
   told_ = soft.told;
   for (const SoftModel& model : models_)
-    has_[model.body] = model.body < soft.bodies.size() && soft.bodies[model.body].rows.rowCount() > 0;
+    if (!model.told)
+      has_[model.body] = model.body < soft.bodies.size() && soft.bodies[model.body].rows.rowCount() > 0;
   for (Layer& layer : layers_) {
     for (SeenBound& bound : layer.bounds) bound.radius = -1.0;
   }
@@ -76,11 +77,13 @@ void SoftDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, const Sw
 void SoftDrawer::see(ViewTime moment, const Event& observation, const Lorentz& headFromBoard,
                      const Switches& switches, std::span<const SoftPast> bodies) {
   Layer& layer = layers_[static_cast<std::size_t>(moment)];
+  const SeenHow how{observation, headFromBoard, switches, moment};
   for (std::size_t k = 0; k < models_.size(); ++k) {
-    if (!has(models_[k].body)) continue;
-    const auto to = std::span(layer.vertices).subspan(places_[k].firstVertex, models_[k].vertices.size());
-    layer.bounds[k] = seenRows_.see(models_[k], bodies[models_[k].body],
-                                    {observation, headFromBoard, switches, moment}, told_, to);
+    const SoftModel& model = models_[k];
+    if (!model.told && !has(model.body)) continue;
+    const auto to = std::span(layer.vertices).subspan(places_[k].firstVertex, model.vertices.size());
+    layer.bounds[k] =
+        model.told ? seenRows_.see(model, how, to) : seenRows_.see(model, bodies[model.body], how, told_, to);
   }
 }
 

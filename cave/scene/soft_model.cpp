@@ -1,7 +1,9 @@
 #include "cave/scene/soft_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -146,6 +148,32 @@ SoftModel softModel(const SoftMesh& mesh, bool isDisc, double height_m, std::siz
   SoftModel model = Builder(mesh, isDisc, height_m).build();
   model.body = body;
   model.colour = colour;
+  return model;
+}
+
+SoftModel toldModel(std::shared_ptr<const ToldShape> shape, const glm::vec3& colour) {
+  constexpr float kPoint_m = 0.006F;  // half a point's diagonal
+  constexpr std::array<glm::vec3, 6> kCorners{glm::vec3(1, 0, 0),  glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0),
+                                              glm::vec3(0, -1, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)};
+  SoftModel model;
+  const auto count = static_cast<std::uint32_t>(shape->history.vertexCount());
+  const bool isMesh = !shape->triangles.empty();
+  for (std::uint32_t point = 0; point < count; ++point) {
+    model.points.push_back({point, 0.0F});
+    const auto first = static_cast<std::uint32_t>(model.vertices.size());
+    for (std::size_t k = 0; k < (isMesh ? 1 : kCorners.size()); ++k) {
+      model.vertices.push_back({.point = point});
+      const glm::vec3 beside = isMesh ? glm::vec3(0.0F) : kPoint_m * kCorners[k];
+      model.painted.push_back({beside, glm::vec3(0.0F), glm::vec3(0.0F), {255, 255, 255, 255}});
+    }
+    for (std::uint32_t k = 0; k < 4 && !isMesh; ++k) {
+      const std::uint32_t here = first + k, next = first + (k + 1) % 4;
+      model.surface.insert(model.surface.end(), {here, next, first + 4, next, here, first + 5});
+    }
+  }
+  for (const auto& [a, b, c] : shape->triangles) model.surface.insert(model.surface.end(), {a, b, c});
+  model.colour = colour;
+  model.told = std::move(shape);
   return model;
 }
 

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "cave/soft_steps.h"
@@ -138,6 +141,47 @@ TEST(SeenRows, StrainAndHeatAreTold) {
   EXPECT_NEAR(least(0.2, Told::heat).second, 0.0, 1e-3);
   EXPECT_GT(least(1.25, Told::heat).second, 0.02);
   EXPECT_EQ(least(1.25, Told::nothing).second, 0.0);
+}
+
+// A told body that deforms: its vertices as SampledHistory has them, clipped before their first light, and
+// the normals of a sheet that is bent while it moves.
+TEST(SeenRows, AToldBodyIsSeenFromItsRows) {
+  constexpr double kSpeed = 0.5;
+  std::vector<double> times_s;
+  std::vector<Vec3> places_m;
+  const std::array<Vec3, 4> corners{Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0.1, 0.1, 0), Vec3(0, 0.1, 0)};
+  for (int row = 0; row < 20; ++row) {
+    const double t_s = 0.05 * row;
+    times_s.push_back(t_s);
+    // A square that moves along x, aslant: 45 degrees up in its own frame, so steeper on the board.
+    for (const Vec3& corner : corners)
+      places_m.push_back(Vec3(kSpeed * kC * t_s, 0.0, 0.1) +
+                         Vec3(corner.x * std::sqrt(1.0 - kSpeed * kSpeed), corner.y, corner.x));
+  }
+  const SampledHistory history(kC, times_s, places_m);
+  const auto shape = std::make_shared<const ToldShape>(ToldShape{history, {{{0, 1, 2}}, {{0, 2, 3}}}});
+  const SoftModel model = toldModel(shape, glm::vec3(1.0F));
+  ASSERT_EQ(model.vertices.size(), 4U);
+  std::vector<SeenVertex> vertices(4);
+  SeenRows rows;
+  const Lorentz headFromBoard = Lorentz::boost(uFromBeta({0.2, -0.5, 0.0}), kC);
+  for (double t_s = 0.05; t_s < 2.0; t_s += 0.11) {
+    const Event eye{t_s, {0.2, -0.3, 0.4}};
+    rows.see(model, {eye, headFromBoard}, vertices);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::optional<Emission> expected = history.seenAt(i, eye, headFromBoard);
+      ASSERT_EQ(vertices[i].boardTime_m < SeenRows::kUnseen_m, !expected);
+      if (!expected) continue;
+      EXPECT_NEAR(glm::length(Vec3(vertices[i].drawn) - expected->seen.dr_m), 0.0, 2e-7);
+      EXPECT_NEAR(glm::length(Vec3(vertices[i].u) - expected->u), 0.0, 1e-6);
+      EXPECT_NEAR(glm::length(Vec3(vertices[i].normal) - glm::normalize(Vec3(-1, 0, 1))), 0.0, 1e-5);
+    }
+  }
+  // Without triangles each vertex is a small solid of eight faces.
+  const SoftModel points =
+      toldModel(std::make_shared<const ToldShape>(ToldShape{history, {}}), glm::vec3(1.0F));
+  EXPECT_EQ(points.vertices.size(), 24U);
+  EXPECT_EQ(points.surface.size(), 4U * 24U);
 }
 
 }  // namespace
