@@ -55,7 +55,7 @@ Billiard::Billiard(const BilliardSetup& setup) {
   setup_ = setup;
   history_ = std::make_unique<GameHistory>(setup_);
   game_ = std::make_unique<CollisionScheduler>(setup_);
-  if (hasSoft(setup_)) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
+  if (hasSoft(setup_)) beginSoft();
   reported_.assign(setup_.pucks.size(), 1);
   nextSnapshot_ = betweenSnapshots(setup_);
 }
@@ -63,6 +63,16 @@ Billiard::Billiard(const BilliardSetup& setup) {
 Billiard::~Billiard() = default;
 Billiard::Billiard(Billiard&&) noexcept = default;
 Billiard& Billiard::operator=(Billiard&&) noexcept = default;
+
+void Billiard::beginSoft() {
+  soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
+  if (playsAhead_) soft_->playAhead();
+}
+
+void Billiard::playAhead() {
+  playsAhead_ = true;
+  if (soft_) soft_->playAhead();
+}
 
 void Billiard::advanceTo(double t_s) {
   if (!(t_s > advancedTo_s_)) return;
@@ -188,7 +198,7 @@ void Billiard::rewind(double t_s) {
     game_ = std::make_unique<CollisionScheduler>(setup_);
     game_->restore(*history_);
     history_->keepEvents(0);
-    if (soft_) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
+    if (soft_) beginSoft();
     nextSnapshot_ = betweenSnapshots(setup_);
   } else {
     const Snapshot& from = snapshots_.back();

@@ -131,15 +131,12 @@ std::uint64_t GameHistory::addStroke(std::uint32_t stroke, const Vec21& at, doub
   return event.number;
 }
 
-std::uint64_t GameHistory::addSoftContact(std::optional<Cushion> cushion, const Vec21& contact,
-                                          std::span<const std::size_t> pucks,
-                                          std::span<const LegState> states, std::uint32_t which) {
-  GameEvent& event = add(cushion ? EventKind::softCushion : EventKind::softSoft, eventOf(pucks[0], contact));
-  event.cushion = cushion;
-  event.which = which;
+GameEvent& GameHistory::addSoft(EventKind kind, const Vec21& at, std::span<const std::size_t> pucks,
+                                std::span<const LegState> states) {
+  GameEvent& event = add(kind, eventOf(pucks[0], at));
   for (std::size_t k = 0; k < pucks.size(); ++k)
     event.turns.push_back(turnOf(pucks[k], states[k], states[k].u, {}));
-  return event.number;
+  return event;
 }
 
 std::uint64_t GameHistory::addFlash(std::uint32_t flash, const Event& at) {

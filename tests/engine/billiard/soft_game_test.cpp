@@ -156,6 +156,40 @@ TEST(SoftGame, ReportsItsChanges) {
   }
 }
 
+// First touch, parting with the heat of the collision, and the far side of each puck, in this order.
+TEST(SoftGame, ListsWhatHappensToSoftPucks) {
+  BilliardSetup setup = mixed();
+  setup.strokes.clear();
+  Billiard billiard(setup);
+  billiard.advanceTo(0.9);
+  const SoftMoment moment = billiard.softAt(0.9);
+  ASSERT_FALSE(moment.contacts.empty());
+  const SoftContactState& contact = moment.contacts[0];
+  std::vector<const GameEvent*> touches, partings, farSides;
+  for (const GameEvent& event : billiard.events()) {
+    if (event.kind == EventKind::softSoft) touches.push_back(&event);
+    if (event.kind == EventKind::parted) partings.push_back(&event);
+    if (event.kind == EventKind::farSide) farSides.push_back(&event);
+  }
+  ASSERT_EQ(touches.size(), 1u);
+  ASSERT_GE(partings.size(), 1u);
+  ASSERT_GE(farSides.size(), 2u);
+  EXPECT_EQ(touches[0]->at.t_s, contact.contact.t_s);
+  EXPECT_EQ(touches[0]->heat_j, 0.0);
+  EXPECT_EQ(partings[0]->at.t_s, contact.parted_s.value());
+  EXPECT_EQ(partings[0]->heat_j, contact.heat_j);
+  EXPECT_GT(partings[0]->heat_j, 0.0);
+  EXPECT_EQ(partings[0]->which, touches[0]->which);
+  EXPECT_EQ(partings[0]->turns.size(), 2u);
+  EXPECT_NE(farSides[0]->turns[0].puck, farSides[1]->turns[0].puck);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double way_m = glm::distance(farSides[k]->at.r_m, touches[0]->at.r_m);
+    EXPECT_GT(kC * (farSides[k]->at.t_s - touches[0]->at.t_s), way_m) << "slower than light";
+    EXPECT_GT(way_m, 0.9 * kRadius) << "the far side";
+    EXPECT_LT(farSides[k]->at.t_s, partings[0]->at.t_s);
+  }
+}
+
 TEST(SoftGame, ForgetsThePast) {
   BilliardSetup setup = mixed();
   Billiard billiard(setup), whole(setup);

@@ -1,0 +1,50 @@
+#pragma once
+// Plays soft bodies ahead of time on a thread of its own, so that a bounce, which is many small steps, holds
+// up no frame. c = 1, metres, board frame.
+//
+// The thread plays slice after slice from a given state, and keeps what each leads to until it is taken. Its
+// slices are those that SoftPlay::playSlice makes, bit for bit: whoever takes them cannot tell when they were
+// made. What the thread cannot know, such as a stroke or a body that comes in, makes them void: then it
+// starts anew from the state with that in it.
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "engine/soft/soft_play.h"
+
+namespace carom {
+
+class SoftAhead {
+ public:
+  static constexpr double kFarthest = 0.6;  ///< how far ahead it plays
+
+  explicit SoftAhead(const std::vector<SoftCushion>& cushions);
+
+  /// Plays on from this state; slices that have not been taken are void.
+  void start(std::shared_ptr<const SoftPlay::Snapshot> from);
+  /// Returns the state after the next slice, and waits for it if it is still to be played. Throws what the
+  /// thread has thrown.
+  std::shared_ptr<const SoftPlay::Snapshot> take();
+
+ private:
+  using State = std::shared_ptr<const SoftPlay::Snapshot>;
+
+  void run(const std::stop_token& stop);
+
+  SoftPlay play_;  // the thread's
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  State start_;  // to start from, until the thread has taken it
+  std::deque<State> ahead_;
+  std::exception_ptr failure_;
+  std::jthread thread_;  // last: it uses the rest
+};
+
+}  // namespace carom
