@@ -55,6 +55,7 @@ Billiard::Billiard(const BilliardSetup& setup) {
   setup_ = setup;
   history_ = std::make_unique<GameHistory>(setup_);
   game_ = std::make_unique<CollisionScheduler>(setup_);
+  softRows_ = std::make_unique<SoftRowBook>();
   if (hasSoft(setup_)) beginSoft();
   reported_.assign(setup_.pucks.size(), 1);
   nextSnapshot_ = betweenSnapshots(setup_);
@@ -65,7 +66,7 @@ Billiard::Billiard(Billiard&&) noexcept = default;
 Billiard& Billiard::operator=(Billiard&&) noexcept = default;
 
 void Billiard::beginSoft() {
-  soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
+  soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_, *softRows_);
   if (playsAhead_) soft_->playAhead();
 }
 
@@ -88,7 +89,9 @@ void Billiard::advanceTo(double t_s) {
 void Billiard::playSoft() {
   constexpr double kBetween = 0.02;  // metres of light, between the points to which the game can return
   const auto limit = [&] {
-    return advancedTo_s_ * setup_.lightSpeed_m_s + game_->rollbackWindow() + SoftPlay::kSlice;
+    // As far ahead as rows can be apart, too.
+    return advancedTo_s_ * setup_.lightSpeed_m_s + std::max(game_->rollbackWindow(), RowRecorder::kLongest) +
+           SoftPlay::kSlice;
   };
   while (soft_->time() < limit()) {
     if (snapshots_.empty() ? soft_->time() > 0.0 : soft_->time() - snapshots_.back().time >= kBetween)
@@ -274,6 +277,7 @@ Ledger Billiard::ledger() const {
 SoftMoment Billiard::softAt(double t_s, std::span<const SoftPoint> points) const {
   return soft_ ? soft_->at(t_s, points) : SoftMoment{};
 }
+void Billiard::takeSoftRows(SoftRows& rows) { softRows_->take(rows); }
 std::vector<FrozenPuck> Billiard::frozen() const {
   return soft_ ? soft_->frozen() : std::vector<FrozenPuck>{};
 }

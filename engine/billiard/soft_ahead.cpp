@@ -22,7 +22,7 @@ std::size_t statesOf(const SoftPlay& play) {
 SoftAhead::SoftAhead(const std::vector<SoftCushion>& cushions)
     : play_(cushions), thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-void SoftAhead::start(std::shared_ptr<const SoftPlay::Snapshot> from) {
+void SoftAhead::start(Slice from) {
   const std::lock_guard lock(mutex_);
   start_ = std::move(from);
   ahead_.clear();
@@ -30,38 +30,47 @@ void SoftAhead::start(std::shared_ptr<const SoftPlay::Snapshot> from) {
   changed_.notify_all();
 }
 
-std::shared_ptr<const SoftPlay::Snapshot> SoftAhead::take() {
+SoftAhead::Slice SoftAhead::take() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !ahead_.empty() || failure_; });
   if (ahead_.empty()) std::rethrow_exception(failure_);
-  State next = std::move(ahead_.front());
+  Slice next = std::move(ahead_.front());
   ahead_.pop_front();
   changed_.notify_all();
   return next;
 }
 
+SoftAhead::Slice SoftAhead::playSlice() {
+  play_.playSlice();
+  rows_.endSlice(play_);
+  Slice slice{play_.snapshot(), rows_.snapshot(play_.time()), {}};
+  rows_.take(slice.rows);
+  return slice;
+}
+
 void SoftAhead::run(const std::stop_token& stop) {
+  play_.watch([this](std::size_t body, double) { rows_.step(body, play_); });
   std::unique_lock lock(mutex_);
   std::size_t most = 0;
   while (changed_.wait(lock, stop, [&] { return start_ || (!failure_ && ahead_.size() < most); })) {
-    const State from = std::exchange(start_, nullptr);
+    const std::optional<Slice> from = std::exchange(start_, std::nullopt);
     lock.unlock();
-    State next;
+    std::optional<Slice> next;
     std::exception_ptr failure;
     try {
       if (from) {
-        play_.restore(*from);
+        play_.restore(*from->play);
+        rows_.continueFrom(from->recorders);
         most = statesOf(play_);
       }
-      play_.playSlice();
-      next = play_.snapshot();
+      next = playSlice();
     } catch (...) {
       failure = std::current_exception();
     }
     lock.lock();
     if (start_) continue;  // void
     failure_ = failure;
-    if (next) ahead_.push_back(std::move(next));
+    if (next) ahead_.push_back(std::move(*next));
     changed_.notify_all();
   }
 }

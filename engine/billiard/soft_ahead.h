@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/billiard/soft_row_book.h"
 #include "engine/soft/soft_play.h"
 
 namespace carom {
@@ -25,24 +26,32 @@ class SoftAhead {
  public:
   static constexpr double kFarthest = 0.6;  ///< how far ahead it plays
 
+  /// What a slice leads to: the state after it, and the rows that it gave.
+  struct Slice {
+    std::shared_ptr<const SoftPlay::Snapshot> play;
+    SoftRowBook::Snapshot recorders;
+    SoftRows rows;
+  };
+
   explicit SoftAhead(const std::vector<SoftCushion>& cushions);
 
   /// Plays on from this state; slices that have not been taken are void.
-  void start(std::shared_ptr<const SoftPlay::Snapshot> from);
-  /// Returns the state after the next slice, and waits for it if it is still to be played. Throws what the
+  void start(Slice from);
+  /// Returns the next slice, and waits for it if it is still to be played. Throws what the
   /// thread has thrown.
-  std::shared_ptr<const SoftPlay::Snapshot> take();
+  Slice take();
 
  private:
-  using State = std::shared_ptr<const SoftPlay::Snapshot>;
-
   void run(const std::stop_token& stop);
 
-  SoftPlay play_;  // the thread's
+  Slice playSlice();
+
+  SoftPlay play_;  // the thread's, as the next
+  SoftRowBook rows_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
-  State start_;  // to start from, until the thread has taken it
-  std::deque<State> ahead_;
+  std::optional<Slice> start_;  // to start from, until the thread has taken it
+  std::deque<Slice> ahead_;
   std::exception_ptr failure_;
   std::jthread thread_;  // last: it uses the rest
 };
