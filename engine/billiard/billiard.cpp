@@ -85,7 +85,7 @@ void Billiard::advanceTo(double t_s) {
     truncatedFrom_s_ = changed_s;
 }
 
-// Slices are played as a whole, so that what is committed does not depend on the times advanced to.
+// Slices are played as a whole, so that the commitments do not depend on the times advanced to.
 void Billiard::playSoft() {
   constexpr double kBetween = 0.02;  // metres of light, between the points to which the game can return
   const auto limit = [&] {

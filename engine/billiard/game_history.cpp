@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t kFewPucks = 256;  // whose world lines' ends lie in the caches
 // Memory that is used for the first time costs time. Of many pucks it is taken in advance for about four
-// collisions a puck: so many events, and bytes of knots. The list of events has addresses for what a session
-// keeps that forgets what is past, so that it need not be moved.
+// collisions a puck: that number of events, and bytes of knots. The list of events has addresses for what a
+// session keeps that forgets what is past, so that it need not be moved.
 constexpr std::size_t kBoughtEvents = 4, kBoughtBytes = 1100;
 constexpr std::size_t kAddressesPerPuck = 32, kMostAddresses = std::size_t{1} << 24;
 // Of more pucks, at most this number of legs wait.

@@ -3,9 +3,9 @@
 // up no frame. c = 1, metres, board frame.
 //
 // The thread plays slice after slice from a given state, and keeps what each leads to until it is taken. Its
-// slices are those that SoftPlay::playSlice makes, bit for bit: whoever takes them cannot tell when they were
-// made. What the thread cannot know, such as a stroke or a body that comes in, makes them void: then it
-// starts anew from the state with that in it.
+// slices are those that SoftPlay::playSlice makes, bit for bit, whenever they were
+// made. A stroke or a body that comes in, of which the thread cannot know, makes them void: then it starts
+// anew from the state with that in it.
 
 #include <condition_variable>
 #include <cstddef>

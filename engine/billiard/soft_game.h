@@ -91,7 +91,7 @@ class SoftGame {
   std::vector<Given> given_;                 // by their number in the play
   Listed listed_;
   std::unique_ptr<SoftAhead> ahead_;  // none: slices are played where they are asked for
-  bool isNews_ = true;                // what is played ahead does not know of the present state
+  bool isNews_ = true;                // the slices played ahead do not know of the present state
   // The starts of slices, for `at`.
   std::deque<std::pair<double, std::shared_ptr<const SoftPlay::Snapshot>>> recent_;
 };
