@@ -53,6 +53,15 @@ Legs legsOf(std::span<const GpuLeg> legs, bool round) {
   return even ? Legs::oneSpinning : Legs::manySpinning;
 }
 
+/// Whether a body is seen to be soft at a moment, and not drawn by its parts.
+bool isDrawnSoft(const SoftDrawer& soft, ViewTime moment, std::size_t body) {
+  if (!soft.has(body)) return false;
+  for (std::size_t number = 0; number < soft.modelCount(); ++number) {
+    if (soft.model(number).body == body) return soft.bound(moment, number).radius >= 0.0;
+  }
+  return false;
+}
+
 }  // namespace
 
 BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s)
@@ -355,7 +364,7 @@ void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
     const IndexRanges ranges = visible.of(number);
     if (ranges.counts.empty()) continue;
     if (ghosts && (part.body == kRestingBody || part.paint == Paint::shadow)) continue;
-    if (soft_.has(part.body)) continue;
+    if (isDrawnSoft(soft_, moment, part.body)) continue;
     if (chunks_.parts[number].tiled) {
       takeSurfaces(number, choice);
     } else {

@@ -164,6 +164,9 @@ SeenBound SeenRows::see(const SoftModel& model, const SoftPast& past, const Seen
   }
   SeenBound bound = boundOf(vertices);
   bound.middleU = points_.back().u;
+  // As long as nothing of it is seen to be soft it is drawn as the rigid puck that it was.
+  const auto isOnLeg = [](const Point& point) { return point.isOnLeg; };
+  if (std::all_of(points_.begin(), points_.end(), isOnLeg)) bound.radius = -1.0;
   return bound;
 }
 

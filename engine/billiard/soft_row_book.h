@@ -11,6 +11,8 @@
 // takes a row depends on the times to which one advanced; the picture does not, since a row is made at least
 // kLongest (engine/soft/row_recorder.h) ahead of the eyes. A stroke takes back the rows from the point to
 // which the game returns (`truncatedFrom`), and they come again.
+//
+// Theory: app/doc/physics.md, Soft bodies.
 
 #include <cstddef>
 #include <optional>

@@ -10,6 +10,8 @@
 // The drawn place of a node is that of the simulation, unless it would have to outrun light to get there:
 // where a rigid puck becomes soft while its rim still moves as before a bounce, and where a body is taken for
 // relaxed at once. Then it goes there with kCatchUp of light speed.
+//
+// Theory: app/doc/physics.md, Soft bodies.
 
 #include <cstddef>
 #include <span>

@@ -80,10 +80,11 @@ TEST(SeenRows, ASleeperIsDrawnAsARigidBody) {
       ASSERT_NEAR(glm::length(Vec3(seen[i].drawn) - expected), 0.0, 1e-6 * (1.0 + glm::length(expected)));
       EXPECT_NEAR(glm::length(Vec3(seen[i].u) - line.knots().front().u), 0.0, 1e-4);
       // Seen from its own frame a disc's side looks away from its middle.
-      if (vertex.faces == 0)
+      if (vertex.faces == 0) {
         EXPECT_GT(
             glm::dot(glm::normalize(Vec3(played.model.relaxed_m[point.node], 0.0)), Vec3(seen[i].normal)),
             0.99);
+      }
     }
   }
 }
