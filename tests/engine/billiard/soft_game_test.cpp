@@ -306,6 +306,21 @@ TEST(SoftGame, ForgetsThePast) {
       std::invalid_argument);
 }
 
+// A told body that pushes a rod into a cushion crushes it more than can be computed: the game goes on.
+TEST(SoftGame, GoesOnWhereATellerCrushes) {
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = kC;
+  setup.board = Board{0.6, 0.4};
+  Puck rod = disc("rod", {0.0, 0.0}, {0.0, 0.0});
+  rod.outline_m = {{-0.1, -0.05}, {0.1, -0.05}, {0.1, 0.05}, {-0.1, 0.05}};
+  rod.radius_m = std::hypot(0.1, 0.05);
+  rod.soft = SoftMatter{0.5, 6, 0.15, {{false, {{0.1, {0.5, 0.0}}}}}};
+  setup.pucks = {rod};
+  Billiard billiard(setup);
+  EXPECT_NO_THROW(billiard.advanceTo(1.5));
+  for (const Knot& knot : billiard.worldLines()[0].knots()) EXPECT_TRUE(std::isfinite(knot.u.x));
+}
+
 TEST(SoftGame, PointsOfTheMatterAreFollowed) {
   BilliardSetup setup;
   setup.lightSpeed_m_s = kC;

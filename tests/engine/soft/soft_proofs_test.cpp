@@ -172,7 +172,7 @@ TEST(SoftProofs, ACollisionOfTwoIsTheSameInEveryFrame) {
     const double off = std::hypot(first[1].x - first[0].x, first[1].y - first[0].y) / scale;
     if (off > 0.01) ++far;
   }
-  if (isThorough()) EXPECT_LE(far, 1 + cases(0) / 50);
+  EXPECT_TRUE(!isThorough() || far <= 1 + cases(0) / 50) << far << " of them";
 }
 
 // Rigid pucks that become soft, soft and stiff ones, two and three at once, cushions and a stroke.
