@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "devices/protocol/osc_mapping.h"
 #include "engine/base/pose.h"
 
 namespace carom {
@@ -16,6 +17,7 @@ enum class TrackerKind {
   vrpn,
   dtrack,
   natnet,
+  osc,
   polhemusUsb,
   hidImu,
   spaceMouse,  ///< buttons and axes, no poses
@@ -39,6 +41,7 @@ struct TrackerSetup {
   std::uint64_t seed = 1;        ///< of a simulated tracker: people with different seeds walk differently
   std::filesystem::path source;  ///< recorded tracker: the trace, which exists. Device: its address
   bool start = false;            ///< for DTRACK: the session starts and stops the measurement
+  OscMapping osc{};              ///< for OSC: which of its messages are what
   Pose roomFromTracker;
   bool buttonsAlone = false;  ///< the rig uses only the buttons, for the hand
 };

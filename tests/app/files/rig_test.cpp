@@ -89,6 +89,25 @@ TEST(Rig, ReadsEveryKindOfTracker) {
   }
 }
 
+TEST(Rig, SaysWhichMessagesOfOscAreWhat) {
+  const std::string kind = "'osc'\nsource = 'udp://0.0.0.0:9000'\n";
+  const Rig rig =
+      read(changed("'simulated'", kind + "osc = { pose = '/cap/{sensor}', values = 'x y z', unit = 'cm', "
+                                         "buttons = '/b/{n}', axes = '/a/{sensor}/{n}' }"));
+  const OscMapping& mapping = rig.trackers.at(0).osc;
+  EXPECT_EQ(rig.trackers[0].kind, TrackerKind::osc);
+  EXPECT_EQ(toString(TrackerKind::osc), "osc");
+  EXPECT_EQ(mapping.pose->match("/cap/7")->sensor, 7);
+  EXPECT_EQ(mapping.values.size(), 3u);
+  EXPECT_EQ(mapping.unit_m, 0.01);
+  EXPECT_EQ(mapping.buttons->match("/b/2")->index, 2);
+  EXPECT_EQ(mapping.axes->match("/a/1/3")->index, 3);
+  const Rig usual = read(changed("'simulated'", kind + "osc = { pose = '/cap' }"));
+  EXPECT_EQ(usual.trackers[0].osc.values.size(), 7u);
+  EXPECT_EQ(usual.trackers[0].osc.unit_m, 1.0);
+  EXPECT_FALSE(usual.trackers[0].osc.buttons);
+}
+
 TEST(Rig, MaySayThatDtrackIsStarted) {
   const Rig rig =
       read(changed("'simulated'", "'dtrack'\nsource = 'udp://0.0.0.0:5000?controller=art'\nstart = true"));
@@ -403,6 +422,20 @@ INSTANTIATE_TEST_SUITE_P(
               "does not say which controller"},
         Fault{"start of another kind", changed("'simulated'", "'simulated'\nstart = true"), 9, 9,
               "dtrack alone"},
+        Fault{"OSC without its messages", changed("'simulated'", "'osc'\nsource = 'udp://0.0.0.0:9000'"), 6,
+              1, "osc is missing"},
+        Fault{"OSC without a message",
+              changed("'simulated'", "'osc'\nsource = 'udp://0.0.0.0:9000'\nosc = { unit = 'm' }"), 10, 7,
+              "expected pose, buttons or axes"},
+        Fault{"OSC address",
+              changed("'simulated'", "'osc'\nsource = 'udp://0.0.0.0:9000'\nosc = { pose = '/cap/{n}' }"), 10,
+              16, "has {n}, expected {sensor}"},
+        Fault{"OSC values",
+              changed("'simulated'",
+                      "'osc'\nsource = 'udp://0.0.0.0:9000'\nosc = { pose = '/cap', values = 'x y' }"),
+              10, 33, "'z' is missing"},
+        Fault{"OSC of another kind", changed("'simulated'", "'simulated'\nosc = { pose = '/cap' }"), 9, 7,
+              "has a meaning for osc alone"},
         Fault{"NatNet group", changed("'simulated'", "'natnet'\nsource = 'udp://h?group=10.0.0.1'"), 9, 10,
               "expected a multicast address"},
         Fault{"USB address", changed("'simulated'", "'polhemus-usb'\nsource = 'FASTRAK'"), 9, 10,
