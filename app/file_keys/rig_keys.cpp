@@ -133,10 +133,18 @@ FileKey tracker() {
                    "end"),
               text("source",
                    "recorded: the trace; vrpn: Head@tcp://host:3883; dtrack: udp://0.0.0.0:5000; natnet: "
-                   "udp://host; osc: udp://0.0.0.0:9000; "
+                   "udp://host; qtm: tcp://host:22223; trackd: shm://4126?wand=4127; survive: "
+                   "tcp://host:port, or none to start "
+                   "survive-cli; osc: udp://0.0.0.0:9000; "
                    "polhemus-usb, hid-imu and spacemouse: vid:pid or vid:pid:serial; a spacemouse without "
                    "one: the first "
                    "that is plugged in"),
+              choice("unit", kLengthUnits, "of trackd: of the lengths that its daemon writes", kFoot),
+              ofLetters(100, ofSize(0, 64,
+                                    texts("names",
+                                          "of qtm and survive: the bodies or devices that are sensors 0, 1, "
+                                          "…; left out: all that there "
+                                          "are, in QTM's order, or in the order in which they come"))),
               osc(), pose("room_from_tracker", "takes the tracker's coordinates to the room's")}));
 }
 

@@ -101,6 +101,18 @@ OscMapping readOscMapping(const TomlTable& tracker) {
           .axes = readPattern(*table, "axes", true)};
 }
 
+/// Reads what the device calls its sensors 0, 1, ….
+std::vector<std::string> readNames(const TomlTable& table) {
+  std::vector<std::string> names;
+  for (const PlacedText& name : table.texts("names")) {
+    if (std::find(names.begin(), names.end(), name.text) != names.end()) {
+      table.fault(name.place, fmt::format("'{}' is there twice, expected each name once", name.text));
+    }
+    names.push_back(name.text);
+  }
+  return names;
+}
+
 /// Refuses the keys that other kinds have for themselves.
 void refuseOthersKeys(const TomlTable& table, const TrackerRow& own) {
   for (const TrackerRow& other : trackerRows()) {
@@ -148,6 +160,8 @@ TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double un
   refuseOthersKeys(table, row);
   if (row.ownKey == "person") tracker.person = static_cast<SimulatedMotion>(table.choice("person"));
   if (row.ownKey == "start") tracker.start = readStart(table, tracker.source);
+  if (row.ownKey == "unit") tracker.unit_m = kMetresPerUnit[table.choice("unit")];
+  if (row.ownKey == "names") tracker.names = readNames(table);
   if (row.ownKey == "osc") tracker.osc = readOscMapping(table);
   tracker.latency_s = table.number("latency_ms") * 1e-3;
   tracker.roomFromTracker = readPose(table, "room_from_tracker", unit_m);

@@ -21,7 +21,7 @@ constexpr std::size_t kMostDatagram = 65536;
 constexpr auto kPause = 1000ms;
 constexpr auto kFitsWithin = 3s;  // a sender whose messages fit has sent one by then
 
-/// What is listened for, for people.
+/// Returns the addresses that the mapping expects, for people.
 std::string wantedBy(const OscMapping& mapping) {
   std::string words;
   for (const auto* pattern : {&mapping.pose, &mapping.buttons, &mapping.axes}) {

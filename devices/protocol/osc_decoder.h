@@ -18,7 +18,7 @@ class OscDecoder {
  public:
   explicit OscDecoder(OscMapping mapping) : mapping_(std::move(mapping)) {}
 
-  /// Takes one datagram, a message or a bundle, and appends its readings. What was read before a fault is
+  /// Takes one datagram, a message or a bundle, and appends its readings. Readings before a fault are
   /// kept. Returns false if a part of it cannot be read; `whyRefused` then says why.
   ///
   /// Time: the time tag of the innermost bundle, seconds since 1900; a message outside of a bundle, or in one

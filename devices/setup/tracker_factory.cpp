@@ -10,7 +10,10 @@
 #include "devices/network/dtrack_tracker.h"
 #include "devices/network/natnet_tracker.h"
 #include "devices/network/osc_tracker.h"
+#include "devices/network/qtm_tracker.h"
 #include "devices/network/vrpn_tracker.h"
+#include "devices/programs/survive_tracker.h"
+#include "devices/programs/trackd_tracker.h"
 #include "devices/tracker/recorded_tracker.h"
 #include "devices/tracker/simulated_tracker.h"
 #include "devices/tracker/trace.h"
@@ -53,6 +56,17 @@ Transport makeDtrack(const TrackerSetup& setup, const RoomAxes&) {
 Transport makeNatnet(const TrackerSetup& setup, const RoomAxes&) {
   return natnetTransport(readNatnetSource(setup.source.string()));
 }
+Transport makeQtm(const TrackerSetup& setup, const RoomAxes&) {
+  return qtmTransport(readQtmServer(setup.source.string()), setup.names);
+}
+Transport makeTrackd(const TrackerSetup& setup, const RoomAxes&) {
+  return trackdTransport(readTrackdSource(setup.source.string()), setup.unit_m);
+}
+Transport makeSurvive(const TrackerSetup& setup, const RoomAxes&) {
+  return surviveTransport(
+      setup.source.empty() ? std::nullopt : std::optional(readSurviveServer(setup.source.string())),
+      setup.names);
+}
 Transport makeOsc(const TrackerSetup& setup, const RoomAxes&) {
   return oscTransport(readOscSource(setup.source.string()), setup.osc);
 }
@@ -75,6 +89,9 @@ constexpr std::array kRows{
     TrackerRow{Kind::vrpn, "vrpn", true, Source::address, "", makeVrpn},
     TrackerRow{Kind::dtrack, "dtrack", true, Source::address, "start", makeDtrack},
     TrackerRow{Kind::natnet, "natnet", true, Source::address, "", makeNatnet},
+    TrackerRow{Kind::qtm, "qtm", true, Source::address, "names", makeQtm},
+    TrackerRow{Kind::trackd, "trackd", true, Source::address, "unit", makeTrackd},
+    TrackerRow{Kind::survive, "survive", true, Source::maybeAddress, "names", makeSurvive},
     TrackerRow{Kind::osc, "osc", true, Source::address, "osc", makeOsc},
     TrackerRow{Kind::polhemusUsb, "polhemus-usb", true, Source::address, "", makePolhemus},
     TrackerRow{Kind::hidImu, "hid-imu", true, Source::address, "", makeHidImu},

@@ -79,6 +79,9 @@ TEST(Rig, ReadsEveryKindOfTracker) {
       {"vrpn", TrackerKind::vrpn, "Head@tcp://host:3883"},
       {"dtrack", TrackerKind::dtrack, "udp://224.0.1.0:5000?interface=192.168.1.5"},
       {"natnet", TrackerKind::natnet, "udp://192.168.1.10?group=239.255.42.99"},
+      {"qtm", TrackerKind::qtm, "tcp://192.168.1.10:22223"},
+      {"trackd", TrackerKind::trackd, "shm://4126?wand=4127"},
+      {"survive", TrackerKind::survive, "tcp://192.168.1.10:7001"},
       {"polhemus-usb", TrackerKind::polhemusUsb, "0f44:ff12"},
       {"hid-imu", TrackerKind::hidImu, "2833:0001"}};
   for (const auto& [name, kind, source] : kinds) {
@@ -106,6 +109,20 @@ TEST(Rig, SaysWhichMessagesOfOscAreWhat) {
   EXPECT_EQ(usual.trackers[0].osc.values.size(), 7u);
   EXPECT_EQ(usual.trackers[0].osc.unit_m, 1.0);
   EXPECT_FALSE(usual.trackers[0].osc.buttons);
+}
+
+TEST(Rig, NamesTheSensorsOfQtmAndSurvive) {
+  const Rig qtm = read(changed("'simulated'", "'qtm'\nsource = 'tcp://h'\nnames = ['Head', 'Wand']"));
+  EXPECT_EQ(qtm.trackers.at(0).names, (std::vector<std::string>{"Head", "Wand"}));
+  const Rig survive = read(changed("'simulated'", "'survive'\nnames = ['T20']"));
+  EXPECT_EQ(survive.trackers.at(0).names, std::vector<std::string>{"T20"});
+  EXPECT_EQ(survive.trackers[0].source, "") << "it is started";
+}
+
+TEST(Rig, SaysTheUnitOfTrackd) {
+  const std::string trackd = "'trackd'\nsource = 'shm://4126'";
+  EXPECT_EQ(read(changed("'simulated'", trackd)).trackers.at(0).unit_m, 0.3048) << "feet, if left out";
+  EXPECT_EQ(read(changed("'simulated'", trackd + "\nunit = 'cm'")).trackers.at(0).unit_m, 0.01);
 }
 
 TEST(Rig, MaySayThatDtrackIsStarted) {
@@ -436,6 +453,18 @@ INSTANTIATE_TEST_SUITE_P(
               10, 33, "'z' is missing"},
         Fault{"OSC of another kind", changed("'simulated'", "'simulated'\nosc = { pose = '/cap' }"), 9, 7,
               "has a meaning for osc alone"},
+        Fault{"a command as a source",
+              changed("'simulated'", "'survive'\nsource = 'survive-cli --simulator'"), 9, 10,
+              "expected one such as 'tcp://"},
+        Fault{"key of shared memory", changed("'simulated'", "'trackd'\nsource = 'shm://4126?wand=x'"), 9, 10,
+              "expected a number from 1 to 2147483647"},
+        Fault{"names that are equal", changed("'simulated'", "'survive'\nnames = ['T20', 'T20']"), 9, 17,
+              "'T20' is there twice"},
+        Fault{"an empty name", changed("'simulated'", "'survive'\nnames = ['']"), 9, 10, "names[0] is empty"},
+        Fault{"names of another kind", changed("'simulated'", "'simulated'\nnames = ['T20']"), 9, 9,
+              "has a meaning for qtm and survive alone"},
+        Fault{"unit of another kind", changed("'simulated'", "'simulated'\nunit = 'ft'"), 9, 8,
+              "has a meaning for trackd alone"},
         Fault{"NatNet group", changed("'simulated'", "'natnet'\nsource = 'udp://h?group=10.0.0.1'"), 9, 10,
               "expected a multicast address"},
         Fault{"USB address", changed("'simulated'", "'polhemus-usb'\nsource = 'FASTRAK'"), 9, 10,
