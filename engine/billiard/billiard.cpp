@@ -55,7 +55,8 @@ Billiard::Billiard(const BilliardSetup& setup) {
   setup_ = setup;
   history_ = std::make_unique<GameHistory>(setup_);
   game_ = std::make_unique<CollisionScheduler>(setup_);
-  if (hasSoft(setup_)) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
+  softRows_ = std::make_unique<SoftRowBook>();
+  if (hasSoft(setup_)) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_, *softRows_);
   reported_.assign(setup_.pucks.size(), 1);
   nextSnapshot_ = betweenSnapshots(setup_);
 }
@@ -78,7 +79,9 @@ void Billiard::advanceTo(double t_s) {
 void Billiard::playSoft() {
   constexpr double kBetween = 0.02;  // metres of light, between the points to which the game can return
   const auto limit = [&] {
-    return advancedTo_s_ * setup_.lightSpeed_m_s + game_->rollbackWindow() + SoftPlay::kSlice;
+    // As far ahead as rows can be apart, too.
+    return advancedTo_s_ * setup_.lightSpeed_m_s + std::max(game_->rollbackWindow(), RowRecorder::kLongest) +
+           SoftPlay::kSlice;
   };
   while (soft_->time() < limit()) {
     if (snapshots_.empty() ? soft_->time() > 0.0 : soft_->time() - snapshots_.back().time >= kBetween)
@@ -188,7 +191,7 @@ void Billiard::rewind(double t_s) {
     game_ = std::make_unique<CollisionScheduler>(setup_);
     game_->restore(*history_);
     history_->keepEvents(0);
-    if (soft_) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
+    if (soft_) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_, *softRows_);
     nextSnapshot_ = betweenSnapshots(setup_);
   } else {
     const Snapshot& from = snapshots_.back();
@@ -264,6 +267,7 @@ Ledger Billiard::ledger() const {
 SoftMoment Billiard::softAt(double t_s, std::span<const SoftPoint> points) const {
   return soft_ ? soft_->at(t_s, points) : SoftMoment{};
 }
+void Billiard::takeSoftRows(SoftRows& rows) { softRows_->take(rows); }
 std::vector<FrozenPuck> Billiard::frozen() const {
   return soft_ ? soft_->frozen() : std::vector<FrozenPuck>{};
 }

@@ -18,6 +18,8 @@ namespace carom {
 class CollisionScheduler;
 class GameHistory;
 class SoftGame;
+class SoftRowBook;
+struct SoftRows;
 
 /// Plays the game ahead: finds every contact before it happens (puck_contact.h, cushion_contact.h), commits
 /// its outcome (kick.h) and delivers the new legs of the world lines.
@@ -127,6 +129,9 @@ class Billiard {
   /// Returns the soft pucks at a board time not before that of the last call of `advanceTo` but one, and not
   /// after the last; with these points of theirs.
   SoftMoment softAt(double t_s, std::span<const SoftPoint> points = {}) const;
+  /// Moves the rows of the soft pucks that have been played since the last call into `rows`, whose memory is
+  /// used again (engine/billiard/soft_row_book.h).
+  void takeSoftRows(SoftRows& rows);
   std::vector<FrozenPuck> frozen() const;
   std::span<const JamNote> jams() const;
 
@@ -147,6 +152,7 @@ class Billiard {
   BilliardSetup setup_;
   std::unique_ptr<GameHistory> history_;
   std::unique_ptr<CollisionScheduler> game_;
+  std::unique_ptr<SoftRowBook> softRows_;
   std::unique_ptr<SoftGame> soft_;   // none without soft pucks
   std::vector<Snapshot> snapshots_;  // in the order of time
   std::size_t nextSnapshot_ = 64;    // the number of events at which the next one is kept

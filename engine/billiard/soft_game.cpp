@@ -17,6 +17,7 @@ struct SoftGame::Snapshot {
   std::vector<Given> given;
   std::size_t listed = 0;
   std::vector<std::size_t> legs;  // of the soft pucks' world lines, by their number in the play
+  SoftRowBook::Snapshot rows;
 };
 
 namespace {
@@ -48,15 +49,19 @@ std::vector<SoftHold> holdsOf(const SoftMatter& matter, double c_m_s) {
 
 }  // namespace
 
-SoftMesh softMeshOf(const Puck& puck) { return meshOf(puck, puck.soft->cells); }
+SoftMesh softMeshOf(const Puck& puck) { return meshOf(puck, puck.soft ? puck.soft->cells : kStiffCells); }
 
-SoftGame::SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history)
+SoftGame::SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history,
+                   SoftRowBook& rows)
     : c_m_s_(setup.lightSpeed_m_s),
       stiffSound_(setup.rules.stiffSoundSpeed),
       pucks_(setup.pucks),
       strokes_(setup.strokes),
       play_(softCushions(setup.board)),
+      rows_(&rows),
       bodies_(setup.pucks.size()) {
+  rows.begin();
+  play_.watch([this](std::size_t body, double) { rows_->step(body, play_); });
   std::vector<std::size_t> soft;
   for (std::size_t i = 0; i < pucks_.size(); ++i) {
     if (pucks_[i].soft) soft.push_back(i);
@@ -65,24 +70,26 @@ SoftGame::SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHi
             [&](std::size_t a, std::size_t b) { return pucks_[a].name < pucks_[b].name; });
   for (const std::size_t puck : soft) {
     const CollisionScheduler::Withdrawn was = rigid.withdraw(puck, 0.0, history);
-    enter(puck, was.state.x, was.u, 0.0, *pucks_[puck].soft, {});
+    enter(puck, was, 0.0, *pucks_[puck].soft, nullptr);
     for (const std::size_t stroke : was.strokes) addStroke(stroke, strokes_[stroke]);
   }
 }
 
-void SoftGame::enter(std::size_t puck, const Vec21& start, const Vec21& u, double clock,
-                     const SoftMatter& matter, std::optional<double> becameSoft) {
+void SoftGame::enter(std::size_t puck, const CollisionScheduler::Withdrawn& was, double clock,
+                     const SoftMatter& matter, const WorldLine* rigidLine) {
   const Puck& of = pucks_[puck];
-  bodies_[puck] = Body{puckOf_.size(), becameSoft};
+  const Vec21& start = was.state.x;
+  bodies_[puck] = Body{puckOf_.size(), rigidLine ? std::optional(time() / c_m_s_) : std::nullopt};
   puckOf_.push_back(puck);
   play_.add({of.name,
              std::make_shared<const SoftMesh>(meshOf(of, matter.cells)),
              {matter.soundSpeed, matter.viscosity},
              of.mass_kg,
              {start.x, start.y},
-             u,
+             was.u,
              clock,
              holdsOf(matter, c_m_s_)});
+  rows_->enter(puck, play_, rigidLine, of.height_m);
 }
 
 void SoftGame::addStroke(std::size_t stroke, const Stroke& told) {
@@ -118,8 +125,8 @@ void SoftGame::takeInReach(CollisionScheduler& rigid, GameHistory& history) {
     for (const std::size_t k : reached) {
       const std::size_t puck = pucks[k];
       const CollisionScheduler::Withdrawn was = rigid.withdraw(puck, time(), history);
-      enter(puck, was.state.x, was.u, was.state.properTime, {stiffSound_, kStiffCells, kStiffViscosity},
-            time() / c_m_s_);
+      enter(puck, was, was.state.properTime, {stiffSound_, kStiffCells, kStiffViscosity},
+            &history.worldLines()[puck]);
       for (const std::size_t stroke : was.strokes) addStroke(stroke, strokes_[stroke]);
     }
   }
@@ -131,6 +138,7 @@ void SoftGame::playSlice(CollisionScheduler& rigid, GameHistory& history) {
   takeInReach(rigid, history);
   recent_.emplace_back(from, play_.snapshot());
   play_.playSlice();
+  rows_->endSlice(play_);
   writeLegs(from, history);
   listEvents(history);
 }
@@ -251,6 +259,7 @@ SoftContactState SoftGame::contactState(const SoftCollision& collision) const {
 SoftMoment SoftGame::at(double t_s, std::span<const SoftPoint> points) {
   const double t = t_s * c_m_s_;
   const auto present = play_.snapshot();
+  rows_->listen(false);
   const auto after = std::upper_bound(recent_.begin(), recent_.end(), t,
                                       [](double time, const auto& one) { return time < one.first; });
   if (after != recent_.begin()) {
@@ -273,6 +282,7 @@ SoftMoment SoftGame::at(double t_s, std::span<const SoftPoint> points) {
              play_.clock(number, inside) / c_m_s_};
   }
   play_.restore(*present);
+  rows_->listen(true);
   return moment;
 }
 
@@ -288,6 +298,7 @@ std::shared_ptr<const SoftGame::Snapshot> SoftGame::snapshot(GameHistory& histor
   kept->puckOf = puckOf_;
   kept->given = given_;
   kept->listed = listed_;
+  kept->rows = rows_->snapshot(time());
   for (const std::size_t puck : puckOf_) kept->legs.push_back(history.legs(puck));
   return kept;
 }
@@ -298,6 +309,7 @@ void SoftGame::restore(const Snapshot& snapshot, GameHistory& history) {
   puckOf_ = snapshot.puckOf;
   given_ = snapshot.given;
   listed_ = snapshot.listed;
+  rows_->restore(snapshot.rows);
   for (std::size_t k = 0; k < puckOf_.size(); ++k) history.keepLegs(puckOf_[k], snapshot.legs[k]);
   while (!recent_.empty() && recent_.back().first >= snapshot.time) recent_.pop_back();
 }

@@ -17,6 +17,7 @@
 #include "engine/billiard/billiard_setup.h"
 #include "engine/billiard/collision_scheduler.h"
 #include "engine/billiard/game_history.h"
+#include "engine/billiard/soft_row_book.h"
 #include "engine/billiard/soft_state.h"
 #include "engine/soft/soft_play.h"
 
@@ -24,8 +25,11 @@ namespace carom {
 
 class SoftGame {
  public:
-  /// Takes the soft pucks of the setup out of the rigid game.
-  SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history);
+  /// Takes the soft pucks of the setup out of the rigid game. Their rows go into `rows`, which begins anew
+  /// and must outlive the game.
+  SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history, SoftRowBook& rows);
+  SoftGame(const SoftGame&) = delete;
+  SoftGame& operator=(const SoftGame&) = delete;
 
   /// Returns the board time (c t, metres) to which the soft pucks are played.
   double time() const { return play_.time(); }
@@ -57,8 +61,8 @@ class SoftGame {
     bool isListed = false;
   };
 
-  void enter(std::size_t puck, const Vec21& start, const Vec21& u, double clock, const SoftMatter& matter,
-             std::optional<double> becameSoft);
+  void enter(std::size_t puck, const CollisionScheduler::Withdrawn& was, double clock,
+             const SoftMatter& matter, const WorldLine* rigidLine);
   void takeInReach(CollisionScheduler& rigid, GameHistory& history);
   void writeLegs(double from, GameHistory& history);
   void listEvents(GameHistory& history);
@@ -71,6 +75,7 @@ class SoftGame {
   std::vector<Puck> pucks_;
   std::vector<Stroke> strokes_;
   SoftPlay play_;
+  SoftRowBook* rows_;
   std::vector<std::optional<Body>> bodies_;  // by puck
   std::vector<std::size_t> puckOf_;          // by their number in the play
   std::vector<Given> given_;                 // by their number in the play

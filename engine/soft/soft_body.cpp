@@ -434,6 +434,26 @@ double SoftBody::heatAndStretchOf(std::size_t i) const {
   return state_.e[i] * std::sqrt(1.0 - x * x - y * y) + stress - mass_ * mesh_->nodeShare(i);
 }
 
+std::vector<SoftBody::NodeState> SoftBody::nodeStates() const {
+  std::vector<NodeState> states(size());
+  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) {
+    const SoftBodyDeformation f = ownDeformation(c);
+    const double most = f.sum - f.least - 1.0, least = f.least - 1.0;
+    const double strain = most > -least ? most : least, elastic = elasticEnergy(f, c);
+    for (const std::vector<int>& nodes : triangles_.node) {
+      NodeState& state = states[static_cast<std::size_t>(nodes[c])];
+      state.strain += strain * triangles_.mass[c] / 3.0;
+      state.heat -= elastic / 3.0;
+    }
+  }
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double mass = mass_ * mesh_->nodeShare(i);
+    states[i].strain /= mass;
+    states[i].heat = (states[i].heat + heatAndStretchOf(i)) / mass;
+  }
+  return states;
+}
+
 SoftTotals SoftBody::totals() const {
   SoftTotals totals;
   double elastic = 0.0;

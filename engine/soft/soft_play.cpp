@@ -144,6 +144,7 @@ std::size_t SoftPlay::size() const { return now_->players.size(); }
 const std::string& SoftPlay::name(std::size_t body) const { return now_->players[body].entry->name; }
 const SoftBody& SoftPlay::body(std::size_t body) const { return now_->players[body].body; }
 bool SoftPlay::isAwake(std::size_t body) const { return now_->players[body].isAwake; }
+double SoftPlay::timeOf(std::size_t body) const { return now_->players[body].since; }
 std::span<const SoftCollision> SoftPlay::collisions() const { return now_->collisions; }
 std::span<const SoftFrozen> SoftPlay::frozen() const { return now_->frozen; }
 std::optional<double> SoftPlay::strokeBegan(std::size_t stroke) const { return now_->pushes[stroke].began; }
@@ -177,6 +178,19 @@ double SoftPlay::clock(std::size_t body, const SoftMesh::Inside& inside) const {
   const Player& player = now_->players[body];
   const glm::dvec2 v = player.body.velocity(inside);
   return player.body.clock(inside) + (now_->time - player.since) * std::sqrt(1.0 - glm::dot(v, v));
+}
+
+bool SoftPlay::drawnPlaces(std::size_t body, std::optional<double> time,
+                           std::vector<glm::dvec2>& places) const {
+  const Player& player = now_->players[body];
+  const double at = time.value_or(player.since);
+  const double left = player.fade.empty() ? 0.0 : player.fadeAt(at);
+  places.resize(player.body.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] = player.body.place(i) + (at - player.since) * player.body.velocity(i);
+    if (left > 0.0) places[i] += left * player.fade[i];
+  }
+  return left > 0.0;
 }
 
 SoftAccounts SoftPlay::accounts() const {

@@ -121,12 +121,18 @@ class SoftPlay {
   const std::string& name(std::size_t body) const;
   const SoftBody& body(std::size_t body) const;
   bool isAwake(std::size_t body) const;
+  double timeOf(
+      std::size_t body) const;  ///< of its state: the present at the latest, while it sleeps earlier
   /// The energy's centre with its mean velocity, momentum and heat.
   SoftTotals totals(std::size_t body) const;
   glm::dvec2 centre(std::size_t body) const;  ///< of energy
   glm::dvec2 place(std::size_t body, const SoftMesh::Inside& inside) const;
   glm::dvec2 velocity(std::size_t body, const SoftMesh::Inside& inside) const;
   double clock(std::size_t body, const SoftMesh::Inside& inside) const;
+  /// Fills `places` with all nodes of a body as it flies on from its state to a time, or for no time given at
+  /// its state; with that of their places which fades after it has fallen asleep. Returns whether something
+  /// does.
+  bool drawnPlaces(std::size_t body, std::optional<double> time, std::vector<glm::dvec2>& places) const;
 
   /// The collisions, in the order of their first touches as the play found them, since its beginning.
   std::span<const SoftCollision> collisions() const;
