@@ -255,10 +255,11 @@ FileKey wall() {
       ofSize(
           1, 2,
           fitting(
-              "^([A-Za-z0-9_-]+\\.)?(left|right)$",
+              "^([A-Za-z0-9_-]+\\.)?(left|middle|right)$",
               texts("eyes",
-                    "the eye in each channel of the stereo mode, such as [\"anna.left\", \"ben.left\"]; left "
-                    "out: left and right of the viewer")))};
+                    "the eye in each channel of the stereo mode, such as [\"anna.left\", \"ben.left\"], or "
+                    "middle for one picture for both eyes of a person; left out: left and right of the "
+                    "viewer")))};
   for (FileKey& key : projectorKeys()) keys.push_back(std::move(key));
   return ofSize(1, kMostWalls, tables("wall", "a screen", std::move(keys)));
 }

@@ -635,6 +635,15 @@ TEST(Rig, AWallMayShowEyesOfTwoPeople) {
   EXPECT_EQ(swapped.walls[0].eyes, (std::vector<ViewerEye>{{0, Eye::right}, {0, Eye::left}}));
 }
 
+TEST(Rig, AWallMayShowOnePictureToBothEyesOfEach) {
+  const Rig eve = readRig(CAROM_CONFIG_DIR "/rigs/eve.toml");
+  EXPECT_EQ(eve.walls.back().eyes, (std::vector<ViewerEye>{{1, Eye::middle}, {0, Eye::middle}}));
+  EXPECT_EQ(sightsOf(eve, 1).back(), "sees floor (both eyes)");
+  const Rig alone = rigFor(eve, "second");
+  EXPECT_EQ(alone.walls.back().name, "floor");
+  EXPECT_EQ(alone.walls.back().stereo, StereoMode::mono);
+}
+
 TEST(Rig, RefusesViewersWhoDoNotFitTheirWalls) {
   const std::string third = "[[viewer]]\nname = 'cleo'\ntracker = 'cap'\nsensor = 2\n";
   std::string five = roomForTwo();
@@ -662,7 +671,7 @@ TEST(Rig, RefusesViewersWhoDoNotFitTheirWalls) {
            {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left']"),
             "eyes has 1 name, expected one for each of the 2 channels of 'side-by-side'"},
            {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left', 'up']"),
-            "eyes has 'up', expected 'left', 'right' or a viewer's, such as 'anna.left'"},
+            "eyes has 'up', expected 'left', 'right', 'middle' or a viewer's, such as 'anna.left'"},
            {changedForTwo("viewer = 'anna'", "eyes = ['anna.left', 'bob.left']"),
             "eyes has 'bob.left', expected"},
            {five, "expected at most 4 in a room"},
