@@ -4,31 +4,37 @@
 in float told;
 uniform int telling;  // 0: nothing, 1: strain, 2: heat
 
-/// How much of a pixel of `pixel_m` a line covers whose middle is `off_m` away.
+/// The size of this pixel across lines of equal x, in x's unit.
+float across(float x) { return max(length(vec2(dFdx(x), dFdy(x))), 1e-6); }
+
+/// What two sorts of lines cover of a pixel.
+float either(float a, float b) { return a + b - a * b; }
+
+/// How much of a pixel a line covers whose middle is `off_m` away; the pixel is `pixel_m` across it.
 float inLine(float off_m, float pixel_m) {
-  return edge((0.075 * surface.y - off_m) / pixel_m + 0.5) * min(1.0, 0.15 * surface.y / pixel_m);
+  return edge((0.075 * surface.y - off_m) / pixel_m) * min(1.0, 0.15 * surface.y / pixel_m);
 }
 
-/// From the nearest whole multiple of the lines' distance.
-float fromLine(float x_m) { return abs(fract(x_m / surface.y - 0.5) - 0.5) * surface.y; }
+/// Of lines at the whole multiples of their distance.
+float inLines(float x_m) {
+  return inLine(abs(fract(x_m / surface.y - 0.5) - 0.5) * surface.y, across(x_m));
+}
 
 float printed() {
-  vec2 pixels_m = fwidth(place.xy);
-  float pixel_m = max(length(pixels_m), 1e-6);
+  bool onSide = surface.z > 0.5;
   if (surface.x <= 0.0) {
-    float onSide = surface.z > 0.5 ? 1.0 : 0.0;
-    float alongX = inLine(fromLine(place.x), pixel_m), alongY = inLine(fromLine(place.y), pixel_m);
     // On a side one of the two does not change and would be a line all over it.
-    if (onSide > 0.0) return pixels_m.x > pixels_m.y ? alongX : alongY;
-    return max(alongX, alongY);
+    vec2 pixels_m = fwidth(place.xy);
+    if (onSide) return pixels_m.x > pixels_m.y ? inLines(place.x) : inLines(place.y);
+    return either(inLines(place.x), inLines(place.y));
   }
   float radius_m = length(place.xy);
   vec2 once = place.xy / max(radius_m, 1e-6);
   vec2 twice = vec2(once.x * once.x - once.y * once.y, 2.0 * once.x * once.y);
   vec2 thrice = vec2(twice.x * once.x - twice.y * once.y, twice.x * once.y + twice.y * once.x);
-  float sixth = 2.0 * thrice.x * thrice.y;  // sin 6φ: it vanishes at the spokes
-  float spoke = inLine(abs(sixth) * radius_m / 6.0, pixel_m);
-  return surface.z > 0.5 ? spoke : max(spoke, inLine(fromLine(radius_m), pixel_m));
+  float beside_m = thrice.x * thrice.y * radius_m / 3.0;  // R sin 6φ/6: it vanishes at the spokes
+  float spoke = inLine(abs(beside_m), across(beside_m));
+  return onSide ? spoke : either(spoke, inLines(radius_m));
 }
 
 vec3 toldColour() {
