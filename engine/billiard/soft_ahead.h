@@ -6,6 +6,7 @@
 // slices are those that SoftPlay::playSlice makes, bit for bit, whenever they were
 // made. A stroke or a body that comes in, of which the thread cannot know, makes them void: then it starts
 // anew from the state with that in it.
+// Theory: app/doc/physics.md, Soft bodies.
 
 #include <condition_variable>
 #include <cstddef>
