@@ -34,10 +34,13 @@ Transport transportOf(int key, const std::string& options = "") {
 /// count.
 class Daemon {
  public:
-  /// `torn_us`: how long it pauses in the midst of each pose.
+  /// `torn_us`: how long it pauses in the midst of each pose. `timesFirst`: it writes the time
+  /// before the pose.
   Daemon(const Watched& watched, std::chrono::microseconds period, std::chrono::microseconds torn_us,
-         int key = 0)
-      : writer(2, key), thread_([this, &watched, period, torn_us](const std::stop_token& stop) {
+         bool timesFirst, int key)
+      : writer(2, key),
+        timesFirst_(timesFirst),
+        thread_([this, &watched, period, torn_us](const std::stop_token& stop) {
           for (; !stop.stop_requested(); ++written) {
             std::this_thread::sleep_for(period);
             write(static_cast<float>(written % 1000), 1.8e9 + watched.now_s(), torn_us);
@@ -50,6 +53,7 @@ class Daemon {
  private:
   void write(float count, double time_s, std::chrono::microseconds torn_us) {
     const std::size_t at = TrackdSensorsWriter::kHeader + TrackdSensorsWriter::kSensor;
+    if (timesFirst_) stamp(at, time_s);
     writer.segment.put(at, count);
     writer.segment.put(at + 4, count);
     if (torn_us > 0us) {  // no sleep, which takes as long as it likes
@@ -57,10 +61,14 @@ class Daemon {
       }
     }
     writer.segment.put(at + 8, count);
+    if (!timesFirst_) stamp(at, time_s);
+  }
+  void stamp(std::size_t at, double time_s) {
     writer.stamp(at + 24, time_s);
     writer.stamp(16, time_s);
   }
 
+  const bool timesFirst_;
   std::jthread thread_;
 };
 
@@ -97,14 +105,15 @@ TEST(TrackdTracker, DeliversPosesAtTheTimesOfTheDaemon) {
 
 // Daemons write without a lock, and this one takes its time in the midst of every pose.
 TEST(TrackdTracker, PosesAreNotOfTwoTimes) {
-  for (const auto period : {4000us, 1000us}) {
+  for (const bool timesFirst : {false, true}) {
+    const auto period = timesFirst ? 4000us : 1000us;
     std::optional<Daemon> daemon;
     Segment reserved(64);
     const int key = reserved.key();
     reserved.remove();
     reserved.detach();
     Watched head(transportOf(key));
-    daemon.emplace(head, period, 100us, key);
+    daemon.emplace(head, period, 100us, timesFirst, key);
     ASSERT_TRUE(head.comesTrue([&] { return head.samples.size() >= 100; })) << period.count();
     // A busy machine may stop the daemon in the midst of a pose for as long as it likes.
     const auto torn = std::count_if(head.samples.begin(), head.samples.end(), isTorn);
