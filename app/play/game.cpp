@@ -66,6 +66,7 @@ BilliardSetup with(BilliardSetup setup, std::span<const Stroke> struck) {
 Game::Game(const Scenario& scenario, std::span<const Stroke> struck)
     : billiard_(with(scenario.billiard, struck)) {
   billiard_.takeChanges();
+  billiard_.playAhead();
 }
 
 Event Game::strike(const Stroke& stroke) {

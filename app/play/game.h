@@ -39,7 +39,7 @@ class Game {
   /// Returns the pucks' world lines as far as they are known, in the scenario's order.
   std::span<const WorldLine> pucks() const { return billiard_.worldLines(); }
 
-  /// Simulates the game up to board time `t_s` or later.
+  /// Simulates the game up to board time `t_s` or later. Soft pucks are played ahead of it on a thread.
   void playTo(double t_s) { billiard_.advanceTo(t_s); }
 
   /// Strikes a puck by hand (Billiard::strike). The simulation after the stroke's arrival is computed

@@ -120,6 +120,7 @@ class BlenderReading {
     for (const Part* group : root_.all("users")) {
       for (const Part* user : group->all("user")) users.push_back(user);
     }
+    refuseTwins(users, "name", room_);
     for (std::size_t i = 0; i < users.size(); ++i) {
       const Part& user = *users[i];
       const std::string name = user.textOf("name");
@@ -208,6 +209,7 @@ class BlenderReading {
     std::map<std::string, const Part*> corners;
     const Part *viewport = nullptr, *player = nullptr;
     for (const Part* section : sectionsOf(*screen.part)) {
+      refuseTwins(section->all("corner"), "name", room_);
       for (const Part* corner : section->all("corner")) corners[corner->textOf("name")] = corner;
       if (const Part* found = section->find("viewport")) viewport = found;
       if (const Part* found = section->find("player")) player = found;

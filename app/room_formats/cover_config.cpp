@@ -121,6 +121,11 @@ void CoverSections::merge(Part& whole, const Part& section) {
     isRefused_ = true;
     return;
   }
+  std::vector<const Part*> screens;
+  for (const Part& part : section.parts) {
+    if (alike(part.name, "Screen") && !part.parts.empty()) screens.push_back(&part);
+  }
+  refuseTwins(screens, "name", room_);
   std::map<std::pair<std::string, std::string>, std::size_t> index;
   for (std::size_t i = 0; i < whole.parts.size(); ++i) index[keyOf(whole.parts[i])] = i;
   for (const Part& part : section.parts) {

@@ -391,6 +391,7 @@ class HevsPlatform {
 
 Room readHevs(const std::filesystem::path& file, const Part& root, const std::string& platform) {
   Room room = roomOfFormat(file, "a HEVS room", "m", 1.0);
+  refuseTwinMembers(root, room);
   const Part* platforms = root.find("platforms");
   std::vector<std::string> names;
   std::vector<FilePlace> places;

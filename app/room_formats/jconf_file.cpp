@@ -57,6 +57,7 @@ class JconfReading {
     const std::vector<const Part*> systems = elements_.all("display_system");
     if (!systems.empty()) pipes_ = systems.front()->all("pipes");
     const std::vector<const Part*> windows = elements_.all("display_window");
+    refuseTwins(windows, "name", room_);
     bool anyActive = false;
     for (const Part* window : windows) anyActive = anyActive || isActive(*window);
     for (const Part* window : windows) {

@@ -69,6 +69,7 @@ class JconfInput {
   std::map<std::string, std::size_t> read() {
     std::map<std::string, std::size_t> index;
     const glm::dvec3 standing_m = kStandingEyes_m * room_.axes.up;
+    refuseTwins(elements_.all("user"), "name", room_);
     for (const Part* user : elements_.all("user")) {
       const std::string name = user->textOf("name");
       if (room_.people.size() >= kMostViewers) {

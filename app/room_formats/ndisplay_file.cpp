@@ -282,6 +282,7 @@ class NdisplayReading {
 
 Room readNdisplay(const std::filesystem::path& file, const Part& root) {
   Room room = roomOfFormat(file, "an nDisplay room", "cm", kCentimetre_m);
+  refuseTwinMembers(root, room);
   NdisplayReading(*root.find("nDisplay"), room).read();
   room.assumptions.push_back(
       "the file is left-handed, x forward, y right, z up, in centimetres: it is turned to x right, y up, z "

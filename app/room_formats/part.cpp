@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include "app/room_import/foreign_room.h"
 
@@ -172,6 +173,27 @@ std::optional<std::vector<double>> arrayOf(const Part& part, std::size_t count, 
     values.push_back(*value);
   }
   return values;
+}
+
+void refuseTwins(const std::vector<const Part*>& parts, std::string_view key, Room& room) {
+  std::map<std::string, int> lines;
+  for (const Part* part : parts) {
+    const std::string name = key.empty() ? part->name : part->textOf(key);
+    if (name.empty()) continue;
+    const auto [known, isNew] = lines.emplace(name, part->at.line);
+    if (isNew) continue;
+    addError(room, key.empty() ? part->at : part->placeOf(key),
+             fmt::format("the name '{}' is taken in line {}, expected another", shown(name), known->second));
+  }
+}
+
+void refuseTwinMembers(const Part& root, Room& room) {
+  std::vector<const Part*> members;
+  for (const Part& part : root.parts) {
+    members.push_back(&part);
+    refuseTwinMembers(part, room);
+  }
+  refuseTwins(members, "", room);
 }
 
 void nameUnread(const Part& whole, std::span<const std::string_view> quiet, Room& room) {

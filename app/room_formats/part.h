@@ -64,6 +64,12 @@ std::optional<glm::dvec3> vectorOf(std::span<const Part* const> numbers, FilePla
 /// The same of the parts of a JSON or bracketed array.
 std::optional<std::vector<double>> arrayOf(const Part& part, std::size_t count, Room& room);
 
+/// Adds an error for each of the parts whose name, or whose part `key`, another before it has already. Those
+/// without one may be alike.
+void refuseTwins(const std::vector<const Part*>& parts, std::string_view key, Room& room);
+/// The same of the members of all objects of a JSON file.
+void refuseTwinMembers(const Part& root, Room& room);
+
 /// Warns of each part below that no reader has looked up, but for those named in `quiet`, which say nothing
 /// of a room.
 void nameUnread(const Part& whole, std::span<const std::string_view> quiet, Room& room);

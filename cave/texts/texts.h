@@ -354,6 +354,7 @@ inline constexpr std::array<Text, 3> kShownTips{
 // Events.
 inline constexpr Text kMeet = "meet", kMeetsCushion = "meets cushion", kIsStruck = "is struck";
 inline constexpr Text kFlashes = "flashes", kJam = "moves on in a jam";
+inline constexpr Text kParts = "parted", kFarSide = "hears of it on the far side";
 inline constexpr Text kSeen = "seen", kNotYet = "not yet";
 inline constexpr Text kHappened = "What has happened until now,";
 inline constexpr Text kTableFrame = "in the table's frame", kObserverFrame = "in the observer's frame";

@@ -56,7 +56,7 @@ Billiard::Billiard(const BilliardSetup& setup) {
   history_ = std::make_unique<GameHistory>(setup_);
   game_ = std::make_unique<CollisionScheduler>(setup_);
   softRows_ = std::make_unique<SoftRowBook>();
-  if (hasSoft(setup_)) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_, *softRows_);
+  if (hasSoft(setup_)) beginSoft();
   reported_.assign(setup_.pucks.size(), 1);
   nextSnapshot_ = betweenSnapshots(setup_);
 }
@@ -64,6 +64,16 @@ Billiard::Billiard(const BilliardSetup& setup) {
 Billiard::~Billiard() = default;
 Billiard::Billiard(Billiard&&) noexcept = default;
 Billiard& Billiard::operator=(Billiard&&) noexcept = default;
+
+void Billiard::beginSoft() {
+  soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_, *softRows_);
+  if (playsAhead_) soft_->playAhead();
+}
+
+void Billiard::playAhead() {
+  playsAhead_ = true;
+  if (soft_) soft_->playAhead();
+}
 
 void Billiard::advanceTo(double t_s) {
   if (!(t_s > advancedTo_s_)) return;
@@ -75,7 +85,7 @@ void Billiard::advanceTo(double t_s) {
     truncatedFrom_s_ = changed_s;
 }
 
-// Slices are played as a whole, so that what is committed does not depend on the times advanced to.
+// Slices are played as a whole, so that the commitments do not depend on the times advanced to.
 void Billiard::playSoft() {
   constexpr double kBetween = 0.02;  // metres of light, between the points to which the game can return
   const auto limit = [&] {
@@ -191,7 +201,7 @@ void Billiard::rewind(double t_s) {
     game_ = std::make_unique<CollisionScheduler>(setup_);
     game_->restore(*history_);
     history_->keepEvents(0);
-    if (soft_) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_, *softRows_);
+    if (soft_) beginSoft();
     nextSnapshot_ = betweenSnapshots(setup_);
   } else {
     const Snapshot& from = snapshots_.back();

@@ -17,6 +17,7 @@
 #include "engine/billiard/billiard_setup.h"
 #include "engine/billiard/collision_scheduler.h"
 #include "engine/billiard/game_history.h"
+#include "engine/billiard/soft_ahead.h"
 #include "engine/billiard/soft_row_book.h"
 #include "engine/billiard/soft_state.h"
 #include "engine/soft/soft_play.h"
@@ -37,6 +38,8 @@ class SoftGame {
   void playSlice(CollisionScheduler& rigid, GameHistory& history);
   /// Adds the stroke with this place in the setup, if its puck is soft already.
   void addStroke(std::size_t stroke, const Stroke& told);
+  /// Has the slices to come played by a thread of their own, from now on (engine/billiard/soft_ahead.h).
+  void playAhead();
   bool isSoft(std::size_t puck) const { return bodies_[puck].has_value(); }
 
   void addTo(Ledger& ledger) const;
@@ -61,11 +64,18 @@ class SoftGame {
     bool isListed = false;
   };
 
+  // How many of the play's happenings are among the game's events.
+  struct Listed {
+    std::size_t contacts = 0, parted = 0, heard = 0;
+  };
+
   void enter(std::size_t puck, const CollisionScheduler::Withdrawn& was, double clock,
              const SoftMatter& matter, const WorldLine* rigidLine);
   void takeInReach(CollisionScheduler& rigid, GameHistory& history);
   void writeLegs(double from, GameHistory& history);
   void listEvents(GameHistory& history);
+  void listStroke(std::size_t number, double began, GameHistory& history);
+  void listTouch(std::size_t number, bool isLast, GameHistory& history);
   LegState centreAt(std::size_t puck, double t, GameHistory& history) const;
   SoftPuckState stateOf(std::size_t puck) const;
   SoftContactState contactState(const SoftCollision& collision) const;
@@ -79,7 +89,9 @@ class SoftGame {
   std::vector<std::optional<Body>> bodies_;  // by puck
   std::vector<std::size_t> puckOf_;          // by their number in the play
   std::vector<Given> given_;                 // by their number in the play
-  std::size_t listed_ = 0;                   // of the play's collisions
+  Listed listed_;
+  std::unique_ptr<SoftAhead> ahead_;  // none: slices are played where they are asked for
+  bool isNews_ = true;                // the slices played ahead do not know of the present state
   // The starts of slices, for `at`.
   std::deque<std::pair<double, std::shared_ptr<const SoftPlay::Snapshot>>> recent_;
 };

@@ -89,6 +89,18 @@ void SoftRowBook::truncateFrom(double time) {
   rows_.truncatedFrom = std::min(rows_.truncatedFrom, time);
 }
 
+void SoftRowBook::continueFrom(const Snapshot& snapshot) {
+  recorders_ = snapshot.recorders;
+  rows_.clear();
+}
+
+void SoftRowBook::follow(const Snapshot& snapshot, const SoftRows& rows) {
+  recorders_ = snapshot.recorders;
+  rows_.rows.insert(rows_.rows.end(), rows.rows.begin(), rows.rows.end());
+  rows_.nodes.insert(rows_.nodes.end(), rows.nodes.begin(), rows.nodes.end());
+  bound();
+}
+
 void SoftRowBook::restore(const Snapshot& snapshot) {
   recorders_ = snapshot.recorders;
   truncateFrom(snapshot.time);

@@ -48,6 +48,10 @@ class SoftRowBook {
   };
   Snapshot snapshot(double time) const { return {time, recorders_}; }
   void restore(const Snapshot& snapshot);
+  /// Takes over where another book stands, without its rows: only those that come are in this one.
+  void continueFrom(const Snapshot& snapshot);
+  /// Goes on to where another book stands that began here, and has got these rows since.
+  void follow(const Snapshot& snapshot, const SoftRows& rows);
 
  private:
   void truncateFrom(double time);

@@ -168,6 +168,9 @@ TEST(BlenderFile, FaultsAreNamedAtTheirPlaces) {
       refusalOf("room.xml", with(kCave, "user=\"0\"", "user=\"9\"")).find("15:94: there is no user '9'"),
       std::string::npos)
       << refusalOf("room.xml", with(kCave, "user=\"0\"", "user=\"9\""));
+  EXPECT_NE(refusalOf("room.xml", with(kCave, "user name=\"user B\"", "user name=\"user A\""))
+                .find("'user A' is taken in line 6"),
+            std::string::npos);
   EXPECT_NE(refusalOf("room.xml", with(kCave, "-2, 1.1, -1.5", "-2, 1.1")).find("has 2 values"),
             std::string::npos);
   EXPECT_NE(refusalOf("room.xml", with(kCave, "-2, 1.1, -1.5", "-2, 1.1, -1.4")).find("mm"),

@@ -173,6 +173,9 @@ TEST(CoverFile, AFileThatIncludesItselfIsRefused) {
 TEST(CoverFile, FaultsAreNamedAtTheirPlaces) {
   EXPECT_NE(refusalOf("room.xml", with(kCave, "originX=\"-2000\"", "originX=\"-20/00\"")).find("8:"),
             std::string::npos);
+  EXPECT_NE(refusalOf("room.xml", with(kCave, "name=\"1\" comment=\"SPARE\"", "name=\"0\" comment=\"SPARE\""))
+                .find("9:18: the name '0' is taken in line 8"),
+            std::string::npos);
   EXPECT_NE(refusalOf("room.xml", "<COCONFIG/>").find("there is no wall here"), std::string::npos);
   EXPECT_NE(refusalOf("room.xml", with(kCave, "\"F1\"", "\"G1\"")).find("bodyIndex is 'G1'"),
             std::string::npos);

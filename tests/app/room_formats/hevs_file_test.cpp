@@ -93,6 +93,9 @@ TEST(HevsFile, FaultsAreNamedAtTheirPlaces) {
             std::string::npos);
   EXPECT_NE(refusalOf("room.json", with(kRooms, "\"ll\": [-1, 0, 0]", "\"ll\": [-1, 0]"), "Cave").find("11:"),
             std::string::npos);
+  EXPECT_NE(refusalOf("room.json", with(kRooms, "\"spare\": {", "\"dome\": {"), "Cave")
+                .find("13:5: the name 'dome' is taken in line 12"),
+            std::string::npos);
   EXPECT_NE(refusalOf("room.json", "{\"platforms\": {}}").find("there is no platform here"),
             std::string::npos);
   EXPECT_NE(refusalOf("room.json", "{\"platforms\": {\"A\": {}}}").find("there is no wall here"),

@@ -106,6 +106,8 @@ TEST(JconfFile, FaultsAreNamedAtTheirPlaces) {
                                    "<upper_right_corner>-2.1</upper_right_corner>"));
   EXPECT_NE(fourth.find("12:"), std::string::npos) << fourth;
   EXPECT_NE(fourth.find("upper_right_corner of wall 'left' is 100.0 mm from"), std::string::npos) << fourth;
+  EXPECT_NE(refusalOf("room.jconf", with(kCave, "name='Off'", "name='L'")).find("'L' is taken in line 10"),
+            std::string::npos);
   const std::string missing =
       refusalOf("room.jconf", with(kCave, "<lower_left_corner>-2.0</lower_left_corner>", ""));
   EXPECT_NE(missing.find("lower_left_corner has 2 values, expected 3 numbers"), std::string::npos) << missing;

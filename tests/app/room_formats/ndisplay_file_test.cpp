@@ -98,6 +98,10 @@ TEST(NdisplayFile, AParentThatIsItsOwnChildIsNamed) {
       << refusalOf("room.ndisplay", self);
   const std::string round = with(kJson, R"("origin": {"parentId": "")", R"("origin": {"parentId": "left")");
   EXPECT_NE(refusalOf("room.ndisplay", round).find("hangs on itself"), std::string::npos);
+  EXPECT_NE(refusalOf("room.ndisplay", with(kJson, R"("b": {"host")", R"("a": {"host")"))
+                .find("'a' is taken in line 17"),
+            std::string::npos)
+      << refusalOf("room.ndisplay", with(kJson, R"("b": {"host")", R"("a": {"host")"));
   EXPECT_NE(refusalOf("room.ndisplay", with(kJson, R"("screen": "s_floor")", R"("screen": "nix")"))
                 .find("there is no screen 'nix'"),
             std::string::npos);

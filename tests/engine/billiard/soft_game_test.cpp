@@ -168,6 +168,40 @@ TEST(SoftGame, ReportsItsChanges) {
   }
 }
 
+// First touch, parting with the heat of the collision, and the far side of each puck, in this order.
+TEST(SoftGame, ListsWhatHappensToSoftPucks) {
+  BilliardSetup setup = mixed();
+  setup.strokes.clear();
+  Billiard billiard(setup);
+  billiard.advanceTo(0.9);
+  const SoftMoment moment = billiard.softAt(0.9);
+  ASSERT_FALSE(moment.contacts.empty());
+  const SoftContactState& contact = moment.contacts[0];
+  std::vector<const GameEvent*> touches, partings, farSides;
+  for (const GameEvent& event : billiard.events()) {
+    if (event.kind == EventKind::softSoft) touches.push_back(&event);
+    if (event.kind == EventKind::parted) partings.push_back(&event);
+    if (event.kind == EventKind::farSide) farSides.push_back(&event);
+  }
+  ASSERT_EQ(touches.size(), 1u);
+  ASSERT_GE(partings.size(), 1u);
+  ASSERT_GE(farSides.size(), 2u);
+  EXPECT_EQ(touches[0]->at.t_s, contact.contact.t_s);
+  EXPECT_EQ(touches[0]->heat_j, 0.0);
+  EXPECT_EQ(partings[0]->at.t_s, contact.parted_s.value());
+  EXPECT_EQ(partings[0]->heat_j, contact.heat_j);
+  EXPECT_GT(partings[0]->heat_j, 0.0);
+  EXPECT_EQ(partings[0]->which, touches[0]->which);
+  EXPECT_EQ(partings[0]->turns.size(), 2u);
+  EXPECT_NE(farSides[0]->turns[0].puck, farSides[1]->turns[0].puck);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double way_m = glm::distance(farSides[k]->at.r_m, touches[0]->at.r_m);
+    EXPECT_GT(kC * (farSides[k]->at.t_s - touches[0]->at.t_s), way_m) << "slower than light";
+    EXPECT_GT(way_m, 0.9 * kRadius) << "the far side";
+    EXPECT_LT(farSides[k]->at.t_s, partings[0]->at.t_s);
+  }
+}
+
 /// The rows of a game as a node keeps them.
 struct KeptRows {
   std::vector<SoftHistory> bodies = std::vector<SoftHistory>(4);
@@ -270,6 +304,21 @@ TEST(SoftGame, ForgetsThePast) {
   EXPECT_THROW(
       billiard.strike({.puck = 1, .at_s = 0.1, .from_m = Vec3(0.0, 0.0, 0.1), .momentum_kg_m_s = {0.1, 0.0}}),
       std::invalid_argument);
+}
+
+// A told body that pushes a rod into a cushion crushes it more than can be computed: the game goes on.
+TEST(SoftGame, GoesOnWhereATellerCrushes) {
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = kC;
+  setup.board = Board{0.6, 0.4};
+  Puck rod = disc("rod", {0.0, 0.0}, {0.0, 0.0});
+  rod.outline_m = {{-0.1, -0.05}, {0.1, -0.05}, {0.1, 0.05}, {-0.1, 0.05}};
+  rod.radius_m = std::hypot(0.1, 0.05);
+  rod.soft = SoftMatter{0.5, 6, 0.15, {{false, {{0.1, {0.5, 0.0}}}}}};
+  setup.pucks = {rod};
+  Billiard billiard(setup);
+  EXPECT_NO_THROW(billiard.advanceTo(1.5));
+  for (const Knot& knot : billiard.worldLines()[0].knots()) EXPECT_TRUE(std::isfinite(knot.u.x));
 }
 
 TEST(SoftGame, PointsOfTheMatterAreFollowed) {
