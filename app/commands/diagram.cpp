@@ -22,12 +22,13 @@ constexpr double kPlayedBeyond = 1.5;
 constexpr double kEyes_m = 1.7;  // initial eye height above the floor in a scenario
 
 /// Returns the diagram of a scenario, in which the room keeps its initial velocity.
-DiagramSubject subjectOf(const Scenario& scenario, double until_s) {
+DiagramSubject subjectOf(const Scenario& scenario, char along, double until_s) {
   Billiard billiard(scenario.billiard);
   billiard.advanceTo(kPlayedBeyond * until_s);
   DiagramSubject subject = subjectOf(scenario);
   subject.lines.assign(billiard.worldLines().begin(), billiard.worldLines().end());
   for (const ScriptedBody& body : scenario.bodies) subject.lines.push_back(body.worldLine);
+  subject.softSides = softSides(scenario.billiard, along, kPlayedBeyond * until_s);
   subject.events.assign(billiard.events().begin(), billiard.events().end());
   subject.beta = scenario.observer.beta;
   const Vec3 eyes_m = scenario.observer.position_m + Vec3(0.0, 0.0, kEyes_m);
@@ -56,6 +57,10 @@ DiagramSubject subjectOf(const DiagramOptions& options) {
                        world.histories.end());  // without the resting body
   subject.events = world.events;
   subject.knownUntil_s = subject.mine.back().t_s;
+  BilliardSetup played = scenario.billiard;
+  const std::vector<Stroke> byHand = session.strokes(played.pucks);
+  played.strokes.insert(played.strokes.end(), byHand.begin(), byHand.end());
+  subject.softSides = softSides(played, options.along, subject.knownUntil_s);
   return subject;
 }
 
@@ -65,8 +70,9 @@ bool isScenario(const std::filesystem::path& source) { return source.extension()
 
 int runDiagram(const DiagramOptions& options) {
   const DiagramSubject subject =
-      isScenario(options.source) ? subjectOf(readScenario(options.source), options.until_s.value_or(kShown_s))
-                                 : subjectOf(options);
+      isScenario(options.source)
+          ? subjectOf(readScenario(options.source), options.along, options.until_s.value_or(kShown_s))
+          : subjectOf(options);
   const Chart chart = spacetimeChart(subject, {options.along, options.from_s});
   writeChart(chart, options.figure);
   const glm::dvec2 shown_s = chart.yRange / subject.c_m_s;

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include "app/files/rig.h"
+#include "app/room_formats/room_kind.h"
 #include "app/session/frame_loop.h"
 #include "app/session/session_listeners.h"
 #include "app/session/session_views.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/session_setup.h"
-#include "app/tools/import.h"
 #include "cave/cluster/cluster.h"
 #include "cave/frame/pacer.h"
 #include "engine/base/log.h"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <glm/trigonometric.hpp>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "app/session/game_settings.h"
 #include "app/session/recorded_source.h"
 #include "app/session/replay_visitor_source.h"
+#include "app/session/soft_replay_source.h"
 #include "app/stage/all_ranks.h"
 #include "app/tools/option_values.h"
 #include "devices/tracker/trace.h"
@@ -74,6 +76,13 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
                                                      options.at_s, viewer);
     frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
+  if (!hasSoftPucks(setup.scenario)) return frames;
+  std::vector<StrokeInFrame> strokes = session.strokesByFrame(setup.scenario.billiard.pucks);
+  // Another observer's frames have numbers of their own, and know the whole game.
+  if (isVisit(options))
+    std::for_each(strokes.begin(), strokes.end(), [](StrokeInFrame& one) { one.first = 0; });
+  frames.source =
+      std::make_unique<SoftReplaySource>(std::move(frames.source), setup.scenario, std::move(strokes));
   return frames;
 }
 

@@ -25,6 +25,10 @@ const char* whatOf(const GameEvent& event) {
       return texts::console::kFlashes;
     case EventKind::jam:
       return texts::console::kJam;
+    case EventKind::parted:
+      return texts::console::kParts;
+    case EventKind::farSide:
+      return texts::console::kFarSide;
   }
   return "";
 }

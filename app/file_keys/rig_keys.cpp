@@ -97,6 +97,23 @@ FileKey viewer() {
       tables("viewer", "the people of a room for several, instead of [head] and [hand]", std::move(keys)));
 }
 
+FileKey osc() {
+  FileKey key = table(
+      "osc", "of osc: which of its messages are what; {sensor} and {n} stand for numbers in their addresses",
+      {text("pose", "address of a pose, such as /head/{sensor}; without {sensor} it is that of sensor 0"),
+       text(
+           "values",
+           "the arguments of a pose, in order: x, y, z, the quaternion's qx, qy, qz, qw or none of them, and "
+           "- for what is to be ignored; left out: x y z qx qy qz qw"),
+       choice("unit", kLengthUnits, "of x, y and z", kMetre),
+       text("buttons", "address of a button, such as /wand/{sensor}/button/{n}: 1 pressed, 0 not"),
+       text("axes", "address of an axis, such as /wand/{sensor}/axis/{n}: from -1 to 1")});
+  key.rules = {{{.with = {"pose"}, .without = {}},
+                {.with = {"buttons"}, .without = {}},
+                {.with = {"axes"}, .without = {}}}};
+  return key;
+}
+
 FileKey tracker() {
   return ofSize(
       0, kMostTrackers,
@@ -116,11 +133,19 @@ FileKey tracker() {
                    "end"),
               text("source",
                    "recorded: the trace; vrpn: Head@tcp://host:3883; dtrack: udp://0.0.0.0:5000; natnet: "
-                   "udp://host; "
+                   "udp://host; qtm: tcp://host:22223; trackd: shm://4126?wand=4127; survive: "
+                   "tcp://host:port, or none to start "
+                   "survive-cli; osc: udp://0.0.0.0:9000; "
                    "polhemus-usb, hid-imu and spacemouse: vid:pid or vid:pid:serial; a spacemouse without "
                    "one: the first "
                    "that is plugged in"),
-              pose("room_from_tracker", "takes the tracker's coordinates to the room's")}));
+              choice("unit", kLengthUnits, "of trackd: of the lengths that its daemon writes", kFoot),
+              ofLetters(100, ofSize(0, 64,
+                                    texts("names",
+                                          "of qtm and survive: the bodies or devices that are sensors 0, 1, "
+                                          "…; left out: all that there "
+                                          "are, in QTM's order, or in the order in which they come"))),
+              osc(), pose("room_from_tracker", "takes the tracker's coordinates to the room's")}));
 }
 
 FileKey node() {
@@ -271,10 +296,11 @@ FileKey wall() {
       ofSize(
           1, 2,
           fitting(
-              "^([A-Za-z0-9_-]+\\.)?(left|right)$",
+              "^([A-Za-z0-9_-]+\\.)?(left|middle|right)$",
               texts("eyes",
-                    "the eye in each channel of the stereo mode, such as [\"anna.left\", \"ben.left\"]; left "
-                    "out: left and right of the viewer")))};
+                    "the eye in each channel of the stereo mode, such as [\"anna.left\", \"ben.left\"], or "
+                    "middle for one picture for both eyes of a person; left out: left and right of the "
+                    "viewer")))};
   for (FileKey& key : projectorKeys()) keys.push_back(std::move(key));
   FileKey walls = ofSize(1, kMostWalls, tables("wall", "a screen", std::move(keys)));
   walls.rules = {{{.with = {"lower_left", "lower_right", "upper_left"}, .without = {"screen"}},
@@ -299,8 +325,7 @@ const FileKey& rigKeys() {
   static const FileKey keys = [&] {
     FileKey rig = table(
         "rig", "Carom rig",
-        {text("title", "for people"),
-         required(choice("unit", {"mm", "cm", "in", "ft", "m"}, "of every length in this file")),
+        {text("title", "for people"), required(choice("unit", kLengthUnits, "of every length in this file")),
          required(choice("axes", {"x-right y-up z-back", "x-right y-forward z-up"},
                          "of the room; a headset has the first")),
          number("display_hz", kDisplay_hz, "refreshes of the displays in a second", 60.0),

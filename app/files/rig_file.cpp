@@ -19,9 +19,8 @@ namespace carom {
 namespace {
 
 double readUnit_m(const TomlTable& root) {
-  // In the order of the declared units. An unknown one falls back to the first, the smallest.
-  constexpr std::array<double, 5> kMetres{1e-3, 1e-2, 0.0254, 0.3048, 1.0};
-  return kMetres[root.choice("unit")];
+  // An unknown unit falls back to the first, the smallest.
+  return kMetresPerUnit[root.choice("unit")];
 }
 
 RoomAxes readAxes(const TomlTable& root) {

@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <stdexcept>
 
+#include "app/file_keys/rig_keys.h"
 #include "app/files/toml_values.h"
 #include "devices/network/dtrack_tracker.h"
 #include "devices/setup/tracker_factory.h"
@@ -29,20 +30,21 @@ Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
 /// Reads and checks the source of a tracker's samples.
 std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, TrackerKind kind,
                                  const RoomAxes& axes) {
-  if (kind == TrackerKind::recorded)
+  const TrackerRow& row = rowOf(kind);
+  if (row.source == SourceUse::trace)
     return file.existingFile(table, "source", InputKind::trace, Reach::anywhere);
-  if (kind == TrackerKind::simulated) {
-    table.refuse("source", "has no meaning for a simulated tracker, expected none");
+  if (row.source == SourceUse::none) {
+    table.refuse("source", fmt::format("has no meaning for a {} tracker, expected none", row.name));
     return {};
   }
-  if (kind == TrackerKind::spaceMouse && !table.has("source")) return {};  // the first one connected
+  if (row.source == SourceUse::maybeAddress && !table.has("source")) return {};
   const std::string source = table.text("source");
   if (source.empty()) return {};  // has been reported
   try {
     TrackerSetup setup;
     setup.kind = kind;
     setup.source = source;
-    rowOf(kind).make(setup, axes);
+    row.make(setup, axes);
   } catch (const std::invalid_argument& wrong) {
     table.fault("source", wrong.what());
   }
@@ -61,6 +63,68 @@ bool readStart(const TomlTable& table, const std::filesystem::path& source) {
               "the source does not say which controller to start, expected one such as "
               "'udp://0.0.0.0:5000?controller=10.0.0.7'");
   return start;
+}
+
+constexpr const char* kUsualValues = "x y z qx qy qz qw";
+
+std::optional<OscPattern> readPattern(const TomlTable& table, std::string_view key, bool hasIndex) {
+  if (!table.has(key)) return {};
+  try {
+    return OscPattern(table.text(key), hasIndex);
+  } catch (const std::invalid_argument& wrong) {
+    table.fault(key, wrong.what());
+    return {};
+  }
+}
+
+std::vector<OscValue> readValues(const TomlTable& table) {
+  const std::string words = table.text("values", kUsualValues);
+  try {
+    return readOscValues(words);
+  } catch (const std::invalid_argument& wrong) {
+    table.fault("values", wrong.what());
+    return {};
+  }
+}
+
+/// Reads which messages of Open Sound Control are what.
+OscMapping readOscMapping(const TomlTable& tracker) {
+  const auto table = tracker.requiredTable("osc");
+  if (!table) return {};
+  if (!table->has("pose") && !table->has("buttons") && !table->has("axes")) {
+    tracker.fault("osc", "names no message, expected pose, buttons or axes");
+  }
+  return {.pose = readPattern(*table, "pose", false),
+          .values = readValues(*table),
+          .unit_m = kMetresPerUnit[table->choice("unit")],
+          .buttons = readPattern(*table, "buttons", true),
+          .axes = readPattern(*table, "axes", true)};
+}
+
+/// Reads what the device calls its sensors 0, 1, ….
+std::vector<std::string> readNames(const TomlTable& table) {
+  std::vector<std::string> names;
+  for (const PlacedText& name : table.texts("names")) {
+    if (std::find(names.begin(), names.end(), name.text) != names.end()) {
+      table.fault(name.place, fmt::format("'{}' is there twice, expected each name once", name.text));
+    }
+    names.push_back(name.text);
+  }
+  return names;
+}
+
+/// Refuses the keys that other kinds have for themselves.
+void refuseOthersKeys(const TomlTable& table, const TrackerRow& own) {
+  for (const TrackerRow& other : trackerRows()) {
+    if (other.ownKey.empty() || other.ownKey == own.ownKey) continue;
+    std::vector<std::string_view> kinds;
+    for (const TrackerRow& row : trackerRows()) {
+      if (row.ownKey == other.ownKey) kinds.push_back(row.name);
+    }
+    if (kinds.front() != other.name) continue;  // has been refused
+    table.refuse(other.ownKey,
+                 fmt::format("has a meaning for {} alone, expected none", fmt::join(kinds, " and ")));
+  }
 }
 
 /// Returns the index of the tracker that a key names; beyond the last one if there is none of that name.
@@ -92,16 +156,13 @@ TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double un
   tracker.name = table.text("name");
   tracker.kind = trackerRows()[table.choice("kind")].kind;
   tracker.source = readSource(file, table, tracker.kind, axes);
-  if (tracker.kind == TrackerKind::simulated) {
-    tracker.person = static_cast<SimulatedMotion>(table.choice("person"));
-  } else {
-    table.refuse("person", "has a meaning for a simulated tracker alone, expected none");
-  }
-  if (tracker.kind == TrackerKind::dtrack) {
-    tracker.start = readStart(table, tracker.source);
-  } else {
-    table.refuse("start", "has a meaning for dtrack alone, expected none");
-  }
+  const TrackerRow& row = rowOf(tracker.kind);
+  refuseOthersKeys(table, row);
+  if (row.ownKey == "person") tracker.person = static_cast<SimulatedMotion>(table.choice("person"));
+  if (row.ownKey == "start") tracker.start = readStart(table, tracker.source);
+  if (row.ownKey == "unit") tracker.unit_m = kMetresPerUnit[table.choice("unit")];
+  if (row.ownKey == "names") tracker.names = readNames(table);
+  if (row.ownKey == "osc") tracker.osc = readOscMapping(table);
   tracker.latency_s = table.number("latency_ms") * 1e-3;
   tracker.roomFromTracker = readPose(table, "room_from_tracker", unit_m);
   return tracker;

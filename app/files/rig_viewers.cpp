@@ -29,7 +29,7 @@ ViewerSetup readViewer(const TomlTable& table, const std::vector<TrackerSetup>& 
   return viewer;
 }
 
-/// Returns the eye that a text such as "left" or "anna.left" names, or nothing.
+/// Returns the eye that a text such as "left", "anna.left" or "anna.middle" names, or nothing.
 std::optional<ViewerEye> eyeNamed(std::string_view text, const std::vector<ViewerSetup>& viewers,
                                   std::size_t viewerOfWall) {
   ViewerEye named{viewerOfWall};
@@ -42,8 +42,8 @@ std::optional<ViewerEye> eyeNamed(std::string_view text, const std::vector<Viewe
     named.viewer = static_cast<std::size_t>(found - viewers.begin());
     text = text.substr(dot + 1);
   }
-  if (text != "left" && text != "right") return {};
-  named.eye = text == "left" ? Eye::left : Eye::right;
+  if (text != "left" && text != "middle" && text != "right") return {};
+  named.eye = text == "left" ? Eye::left : text == "right" ? Eye::right : Eye::middle;
   return named;
 }
 
@@ -167,9 +167,10 @@ void readEyes(const TomlTable& table, const std::vector<ViewerSetup>& viewers, W
     if (const auto eye = eyeNamed(text.text, viewers, wall.viewer)) {
       wall.eyes.push_back(*eye);
     } else {
-      table.fault(text.place, fmt::format("eyes has '{}', expected 'left', 'right' or a viewer's, such as "
-                                          "'{}.left'",
-                                          text.text, viewers.front().name));
+      table.fault(text.place,
+                  fmt::format("eyes has '{}', expected 'left', 'right', 'middle' or a viewer's, such as "
+                              "'{}.left'",
+                              text.text, viewers.front().name));
     }
   }
   const bool ofSeveral = std::any_of(wall.eyes.begin(), wall.eyes.end(), [&](const ViewerEye& eye) {
@@ -240,7 +241,9 @@ bool keepFirstViewer(Wall& wall) {
       wall.pictureNames.erase(wall.pictureNames.begin() + static_cast<std::ptrdiff_t>(i));
   }
   if (wall.eyes.size() < channels && !wall.eyes.empty())
-    wall.stereo = wall.eyes.front().eye == Eye::left ? StereoMode::left : StereoMode::right;
+    wall.stereo = wall.eyes.front().eye == Eye::left    ? StereoMode::left
+                  : wall.eyes.front().eye == Eye::right ? StereoMode::right
+                                                        : StereoMode::mono;
   wall.viewer = 0;
   return !wall.eyes.empty();
 }

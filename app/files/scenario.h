@@ -1,6 +1,8 @@
 #pragma once
 // A scenario file: light speed, board, pucks and other bodies, and the observer's initial state.
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -36,10 +38,11 @@ struct ScriptedBody {
   std::optional<std::filesystem::path> mesh;  ///< existing file; in metres, in the body's rest frame
 };
 
-/// A body that moves and deforms as told, and collides with nothing; rooms do not draw it yet.
+/// A body that moves and deforms as told, and collides with nothing.
 struct ToldBody {
   std::string name;
   SampledHistory history;
+  std::vector<std::array<std::uint32_t, 3>> triangles{};  ///< of its mesh, by its vertices; none: points
 };
 
 /// One leg of the tour. Times are on the platform's clock (app/viewer/platform_motion.h), from the start of

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -192,6 +196,39 @@ std::optional<std::size_t> objVertices(const std::filesystem::path& mesh) {
   return count;
 }
 
+/// Returns the triangles of an .obj file of so many vertices: polygons are fans. Refuses at `table` a corner
+/// that is none of the vertices, which are counted from 1, or from the last backwards.
+std::vector<std::array<std::uint32_t, 3>> objTriangles(const std::filesystem::path& mesh,
+                                                       std::size_t vertices, const TomlTable& table) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::istringstream text(readText(mesh, InputKind::mesh));
+  std::vector<std::uint32_t> corners;
+  int number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    if (!line.starts_with("f ")) continue;
+    corners.clear();
+    std::istringstream words(line.substr(2));
+    for (std::string word; words >> word;) {
+      const std::string first = word.substr(0, word.find('/'));
+      long corner = 0;
+      const auto [end, fault] = std::from_chars(first.data(), first.data() + first.size(), corner);
+      if (corner < 0) corner += static_cast<long>(vertices) + 1;
+      const bool isOne = fault == std::errc() && end == first.data() + first.size() && corner >= 1 &&
+                         corner <= static_cast<long>(vertices);
+      if (!isOne) {
+        table.fault("mesh", fmt::format("{}:{}:1: '{}' is no vertex of the mesh, expected 1 to {}",
+                                        mesh.string(), number, word, vertices));
+        return {};
+      }
+      corners.push_back(static_cast<std::uint32_t>(corner - 1));
+    }
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      triangles.push_back({corners[0], corners[k - 1], corners[k]});
+  }
+  return triangles;
+}
+
 }  // namespace
 
 std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTable& table) {
@@ -229,7 +266,9 @@ ToldBody toldBody(const BodyText& body, double c_m_s) {
                 : "the mesh is no .obj file, expected one with the vertices of the history in their order");
     }
   }
-  return {body.name, SampledHistory(c_m_s, std::move(rows.times_s), std::move(rows.places_m))};
+  ToldBody told{body.name, SampledHistory(c_m_s, std::move(rows.times_s), std::move(rows.places_m))};
+  if (body.mesh) told.triangles = objTriangles(*body.mesh, vertices, body.table);
+  return told;
 }
 
 ScriptedBody scriptedBody(const BodyText& body, double c_m_s) {

@@ -116,8 +116,10 @@ constexpr auto rightEffectKeys(std::index_sequence<row...>) {
 }
 template <std::size_t... row>
 constexpr auto viewKeys(std::index_sequence<row...>) {
-  return std::array{Key{kNamedViews[row].key, 0, {}, kWithGame, kNamedViews[row].words, turnView<row>}...};
+  return std::array{Key{kNamedViews[row].key, 0, kNamedViews[row].key == kKeyF11 ? "F11" : nullptr, kWithGame,
+                        kNamedViews[row].words, turnView<row>}...};
 }
+static_assert(kKeyF11 == GLFW_KEY_F11);
 constexpr auto kEffectKeys = effectKeys(std::make_index_sequence<kNamedSwitches.size()>());
 constexpr auto kRightKeys = rightEffectKeys(std::make_index_sequence<kNamedSwitches.size()>());
 constexpr auto kViewKeys = viewKeys(std::make_index_sequence<kNamedViews.size()>());

@@ -186,8 +186,15 @@ Scenario SessionFile::scenario() const {
   return scenario;
 }
 
-std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try {
+std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const {
   std::vector<Stroke> strokes;
+  for (const auto& [frame, stroke] : strokesByFrame(pucks)) strokes.push_back(stroke);
+  return strokes;
+}
+
+std::vector<std::pair<std::uint64_t, Stroke>> SessionFile::strokesByFrame(std::span<const Puck> pucks) const
+    try {
+  std::vector<std::pair<std::uint64_t, Stroke>> strokes;
   const auto ends = frames();
   if (!ends) return strokes;
   SQLite::Statement row(
@@ -222,7 +229,7 @@ std::vector<Stroke> SessionFile::strokes(std::span<const Puck> pucks) const try 
       refuseFrame(frame, fmt::format("a stroke {} m beside the centre of '{}', expected {} at most",
                                      stroke.offset_m, name, found->radius_m));
     }
-    strokes.push_back(stroke);
+    strokes.emplace_back(frame, stroke);
   }
   return strokes;
 } catch (const SQLite::Exception& error) {

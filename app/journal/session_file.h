@@ -60,6 +60,8 @@ class SessionFile {
   /// Returns the strokes by hand in the order of the frames. `pucks` are the scenario's. Throws
   /// std::runtime_error with file and frame for a stroke that is impossible in this scenario.
   std::vector<Stroke> strokes(std::span<const Puck> pucks) const;
+  /// The same, each with the number of its frame.
+  std::vector<std::pair<std::uint64_t, Stroke>> strokesByFrame(std::span<const Puck> pucks) const;
 
   /// Returns the answers that were given in all games of the session, in the order of the frames.
   std::vector<GivenAnswer> answers() const;

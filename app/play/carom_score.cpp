@@ -7,7 +7,7 @@ namespace {
 
 /// Returns the puck that collides with this one in the event, or none.
 std::optional<std::size_t> partnerOf(std::size_t puck, const GameEvent& event) {
-  if (event.kind != EventKind::puckPuck || event.turns.size() != 2) return {};
+  if (!isOfPucks(event.kind) || event.turns.size() != 2) return {};
   if (event.turns[0].puck == puck) return event.turns[1].puck;
   if (event.turns[1].puck == puck) return event.turns[0].puck;
   return {};
@@ -27,7 +27,7 @@ std::optional<std::size_t> CaromScore::look(std::span<const GameEvent> events, c
   for (const GameEvent& event : events) {
     if (event.at.t_s < shot_->arrives_s) continue;
     if (event.at.t_s + glm::distance(event.at.r_m, eye.r_m) / c_m_s > eye.t_s) continue;  // not seen yet
-    if (event.kind == EventKind::puckCushion && event.turns.front().puck == shot_->puck) ++cushions;
+    if (isOfCushion(event.kind) && event.turns.front().puck == shot_->puck) ++cushions;
     const auto partner = partnerOf(shot_->puck, event);
     if (!partner) continue;
     if (!shot_->touched) shot_->touched = partner;

@@ -24,6 +24,23 @@ double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView
   return before_s;
 }
 
+double forgettableRowsBefore_m(std::span<const SoftPast> bodies, const ObserverView& observer) {
+  const Event& eye = observer.middle.observation;
+  const double now_m = eye.t_s * observer.headFromBoard.lightSpeed_m_s() - kRowsBehind_m;
+  const auto isPast = [&](const SoftRow& row) {
+    const glm::dvec2 way = row.centre() - glm::dvec2(eye.r_m);
+    return now_m - row.time >= glm::length(glm::dvec3(way, eye.r_m.z)) + row.reach;
+  };
+  double before_m = std::numeric_limits<double>::infinity();
+  for (const SoftPast& past : bodies) {
+    if (past.rows.rowCount() == 0) continue;
+    std::size_t k = 0;
+    while (k + 1 < past.rows.rowCount() && isPast(past.rows.row(k + 1))) ++k;
+    before_m = std::min(before_m, past.rows.row(k).time);
+  }
+  return before_m;
+}
+
 double latestObservation_s(const ObserverView& observer) {
   double latest_s = observer.left.observation.t_s;
   for (const EyeView& eye : observer.all()) latest_s = std::max(latest_s, eye.observation.t_s);
@@ -49,6 +66,7 @@ BilliardSetup with(BilliardSetup setup, std::span<const Stroke> struck) {
 Game::Game(const Scenario& scenario, std::span<const Stroke> struck)
     : billiard_(with(scenario.billiard, struck)) {
   billiard_.takeChanges();
+  billiard_.playAhead();
 }
 
 Event Game::strike(const Stroke& stroke) {
@@ -88,17 +106,23 @@ void Game::advance(double t_s, FrameState& state) {
   for (const Changes::NewKnot& change : changes.knots) {
     state.knots.push_back({kFirstPuck + change.puck, change.knot});
   }
+  billiard_.takeSoftRows(rows_);
+  state.record.rowsFrom_m = rows_.truncatedFrom;
+  std::swap(state.rows, rows_.rows);
+  std::swap(state.rowNodes, rows_.nodes);
+  for (SoftRow& row : state.rows) row.body += kFirstPuck;
 }
 
-void Game::forget(std::span<const WorldLine> histories, std::span<const ObserverView> observers,
-                  FrameState& state) {
-  double before_s = std::numeric_limits<double>::infinity();
-  for (const ObserverView& observer : observers)
-    before_s =
-        std::min(before_s,
-                 forgettableBefore_s(histories.subspan(kFirstPuck, billiard_.worldLines().size()), observer));
+void Game::forget(const World& world, std::span<const ObserverView> observers, FrameState& state) {
+  double before_s = std::numeric_limits<double>::infinity(), rowsBefore_m = before_s;
+  const auto pucks = std::span(world.histories).subspan(kFirstPuck, billiard_.worldLines().size());
+  for (const ObserverView& observer : observers) {
+    before_s = std::min(before_s, forgettableBefore_s(pucks, observer));
+    rowsBefore_m = std::min(rowsBefore_m, forgettableRowsBefore_m(world.soft, observer));
+  }
   billiard_.forgetBefore(before_s);
   state.record.forgetBefore_s = before_s;
+  if (std::isfinite(rowsBefore_m)) state.record.rowsForgottenBefore_m = rowsBefore_m;
 }
 
 }  // namespace carom

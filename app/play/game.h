@@ -19,6 +19,13 @@ namespace carom {
 double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer);
 inline constexpr double kEyesMayRunBack_m = 100.0;
 
+/// Returns the board time, in metres of light, before which no row of these soft bodies will be seen by any
+/// eye of this viewer: the earliest of the times of their last rows all of whose nodes lie inside its past
+/// cone by kRowsBehind_m. Like the places of hands they may be forgotten sooner than legs: an eye that steps
+/// back further sees the bodies on the straight way by which they came.
+double forgettableRowsBefore_m(std::span<const SoftPast> bodies, const ObserverView& observer);
+inline constexpr double kRowsBehind_m = 2.0;
+
 /// Returns the latest board time at which an eye receives light; of a record, an eye of any viewer.
 double latestObservation_s(const ObserverView& observer);
 double latestObservation_s(const FrameRecord& record);
@@ -32,7 +39,7 @@ class Game {
   /// Returns the pucks' world lines as far as they are known, in the scenario's order.
   std::span<const WorldLine> pucks() const { return billiard_.worldLines(); }
 
-  /// Simulates the game up to board time `t_s` or later.
+  /// Simulates the game up to board time `t_s` or later. Soft pucks are played ahead of it on a thread.
   void playTo(double t_s) { billiard_.advanceTo(t_s); }
 
   /// Strikes a puck by hand (Billiard::strike). The simulation after the stroke's arrival is computed
@@ -47,12 +54,12 @@ class Game {
   void advance(double t_s, FrameState& state);
 
   /// Discards the history before `forgettableBefore_s` of all these observers, and tells every rank to do the
-  /// same with this frame. `histories` are those of all bodies of the scene.
-  void forget(std::span<const WorldLine> histories, std::span<const ObserverView> observers,
-              FrameState& state);
+  /// same with this frame.
+  void forget(const World& world, std::span<const ObserverView> observers, FrameState& state);
 
  private:
   Billiard billiard_;
+  SoftRows rows_;
   bool begun_ = false;
 };
 

@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 bool isHitOf(std::size_t puck, const GameEvent& event) {
-  if (event.kind != EventKind::puckPuck) return false;
+  if (!isOfPucks(event.kind)) return false;
   return std::any_of(event.turns.begin(), event.turns.end(),
                      [puck](const Turn& turn) { return turn.puck == puck; });
 }

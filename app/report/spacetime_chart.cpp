@@ -120,6 +120,19 @@ void addBodies(Chart& chart, const DiagramSubject& subject, const Plane& plane, 
   }
 }
 
+/// Adds the sides of soft pucks, in the colours of their centres.
+void addSoftSides(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
+  for (const SoftSides& puck : subject.softSides) {
+    for (const std::vector<Event>& side : puck.lines) {
+      ChartLine line{"", {}, inkOf(subject.names[puck.puck], puck.puck), 1.2F, ChartLine::Style::solid};
+      for (const Event& event : side) {
+        if (event.t_s >= span.from_s) line.points.push_back(plane(event));
+      }
+      if (!line.points.empty()) chart.lines.push_back(line);
+    }
+  }
+}
+
 /// Adds my light cone, time axis and line of simultaneity through my present event.
 void addMyAxes(Chart& chart, const glm::dvec2& here, double beta) {
   using Style = ChartLine::Style;
@@ -253,6 +266,7 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   setRanges(chart, subject.c_m_s, span, half_m, plane(present));
   if (subject.board) addCushions(chart, half_m);
   addBodies(chart, subject, plane, span);
+  addSoftSides(chart, subject, plane, span);
   addMyAxes(chart, plane(present), plane.along(subject.beta));
   addEvents(chart, subject, plane, span);
   addOthers(chart, subject, plane, from_s);

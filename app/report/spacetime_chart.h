@@ -10,6 +10,7 @@
 
 #include "app/files/scenario.h"
 #include "app/report/chart_file.h"
+#include "app/report/soft_sides.h"
 #include "cave/record/frame_state.h"
 #include "engine/billiard/game_event.h"
 #include "engine/spacetime/event.h"
@@ -30,6 +31,7 @@ struct DiagramSubject {
   double c_m_s = 1.0;
   std::vector<std::string> names;
   std::vector<WorldLine> lines;  ///< one for each name
+  std::vector<SoftSides> softSides{};
   std::optional<Board> board;
   std::vector<Event> mine;            ///< the observer's world line up to the present event; never empty
   Vec3 beta{0.0};                     ///< the observer's, at the present event

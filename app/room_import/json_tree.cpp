@@ -138,6 +138,37 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   FilePlace keyAt_;
 };
 
+/// Replaces comments outside texts by blanks, so that all else keeps its place.
+void blankComments(std::string& text) {
+  bool isText = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') isText = !isText;
+    if (isText) {
+      if (text[i] == '\\') ++i;
+      if (i < text.size() && text[i] == '\n') isText = false;  // no text of JSON goes on in another line
+      continue;
+    }
+    if (text[i] != '/' || i + 1 == text.size() || (text[i + 1] != '/' && text[i + 1] != '*')) continue;
+    const bool isLine = text[i + 1] == '/';
+    const std::size_t found = isLine ? text.find('\n', i) : text.find("*/", i + 2);
+    const std::size_t end = found == std::string::npos ? text.size() : found + (isLine ? 0 : 2);
+    for (; i < end; ++i) {
+      if (text[i] != '\n') text[i] = ' ';
+    }
+    --i;
+  }
+}
+
+JsonNode parseJson(const std::filesystem::path& file, const std::string& text) {
+  std::size_t read = 0;
+  TreeBuilder builder(text, read);
+  const bool sound = nlohmann::json::sax_parse(CountingIterator(text.data(), &read),
+                                               CountingIterator(text.data() + text.size(), &read), &builder);
+  if (sound) return std::move(builder.root);
+  const auto [at, what] = builder.fault.value_or(std::pair(FilePlace{}, std::string("this is no JSON")));
+  throw InputErrors({InputError(file.string(), at.line, at.column, what)});
+}
+
 }  // namespace
 
 const JsonNode* JsonNode::member(std::string_view wanted) const {
@@ -166,14 +197,13 @@ std::string JsonNode::words() const {
 }
 
 JsonNode readJson(const std::filesystem::path& file) {
-  const std::string text = readText(file, InputKind::json);
-  std::size_t read = 0;
-  TreeBuilder builder(text, read);
-  const bool sound = nlohmann::json::sax_parse(CountingIterator(text.data(), &read),
-                                               CountingIterator(text.data() + text.size(), &read), &builder);
-  if (sound) return std::move(builder.root);
-  const auto [at, what] = builder.fault.value_or(std::pair(FilePlace{}, std::string("this is no JSON")));
-  throw InputErrors({InputError(file.string(), at.line, at.column, what)});
+  return parseJson(file, readText(file, InputKind::json));
+}
+
+JsonNode readJsonWithComments(const std::filesystem::path& file) {
+  std::string text = readText(file, InputKind::json);
+  blankComments(text);
+  return parseJson(file, text);
 }
 
 }  // namespace carom

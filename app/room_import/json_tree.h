@@ -31,5 +31,7 @@ struct JsonNode {
 /// Throws InputErrors if the file cannot be read, is not JSON, is nested over 32 levels deep or has
 /// over 100 000 values.
 JsonNode readJson(const std::filesystem::path& file);
+/// The same of a file that may have comments, from // to the end of the line and between /* and */.
+JsonNode readJsonWithComments(const std::filesystem::path& file);
 
 }  // namespace carom

@@ -26,11 +26,19 @@ struct Viewer {
   std::string words;  ///< "the recorded head at its start"
 };
 
+/// Somebody who is tracked according to the file.
+struct Person {
+  /// The tracker of head and hand is an index into Room::trackers.
+  ViewerSetup setup;
+  bool isTracked = false;  ///< otherwise a simulated person stands for them
+};
+
 struct Room {
   std::filesystem::path file;
   std::string title;
   std::string format;  ///< "a rig", "a ParaView room"
   RoomAxes axes;
+  std::string unit = "m";  ///< in which a rig of it is written
   std::vector<RoomWall> walls;
   std::vector<NodeSetup> nodes;
   std::vector<FilePlace> nodesAt;  ///< one for each node
@@ -39,6 +47,10 @@ struct Room {
   FilePlace eyeSeparationAt;
   double unit_m = 1.0;          ///< of the lengths in the file
   std::vector<Viewer> viewers;  ///< one at least
+  std::vector<Person> people;   ///< empty, or one for each of `viewers`
+  std::vector<TrackerSetup> trackers;
+  /// Whether a rig's origin goes beneath the viewer; otherwise it only goes up or down to the floor.
+  bool originUnderViewer = true;
   /// Height of the floor along axes.up if the file's format defines it; a wall that is a floor takes
   /// precedence.
   std::optional<double> floor_m;

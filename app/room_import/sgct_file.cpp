@@ -199,15 +199,6 @@ void shareWindow(SgctReading& in) {
   }
 }
 
-void noteTrackers(SgctReading& in) {
-  const JsonNode* trackers = array(in.root, "trackers", in.room);
-  if (!trackers || trackers->children.empty()) return;
-  addWarning(
-      in.room, trackers->at,
-      "the trackers are not taken over: put each into the rig as a [[tracker]] of kind 'vrpn' and measure "
-      "its room_from_tracker");
-}
-
 void assume(SgctReading& in) {
   in.room.assumptions.push_back("the viewer's eyes start where the first user's pos has them");
   in.room.assumptions.push_back("each node is drawn by the MPI rank of its place in the file");
@@ -222,8 +213,10 @@ void assume(SgctReading& in) {
 
 }  // namespace
 
-Room readSgct(const std::filesystem::path& file) {
-  SgctReading in{readJson(file), foreignRoom(file, "an SGCT room")};
+Room readSgct(const std::filesystem::path& file) { return readSgct(file, readJson(file)); }
+
+Room readSgct(const std::filesystem::path& file, JsonNode root) {
+  SgctReading in{std::move(root), foreignRoom(file, "an SGCT room")};
   if (in.root.kind != Kind::object) {
     addError(in.room, in.root.at, fmt::format("this is {}, expected an object with nodes", in.root.words()));
     return std::move(in.room);
@@ -239,7 +232,6 @@ Room readSgct(const std::filesystem::path& file) {
              "or 'PlanarProjection'");
   }
   shareWindow(in);
-  noteTrackers(in);
   assume(in);
   return std::move(in.room);
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/room_import/json_tree.h"
 #include "app/room_import/room.h"
 
 namespace carom {
@@ -11,5 +12,7 @@ namespace carom {
 /// Reads the whole file. Faults of single values become findings and their walls are left out, as are
 /// projections that correspond to no flat wall. Throws InputErrors if the file cannot be read or is not JSON.
 Room readSgct(const std::filesystem::path& file);
+/// The same of a file's content in another syntax.
+Room readSgct(const std::filesystem::path& file, JsonNode root);
 
 }  // namespace carom

@@ -21,7 +21,9 @@ struct Reading {
   XmlElement root;
   std::vector<std::size_t> path;  // from the root to the open element, as indices among children
   std::size_t open = 0, elements = 0;
+  std::vector<OutsideEntity> leftOut;
   std::string refusal;  // why reading stopped, if expat gave no reason
+  FilePlace refusedAt{};
 
   XmlElement& current() {
     XmlElement* element = &root;
@@ -30,6 +32,7 @@ struct Reading {
   }
   void refuse(const char* why) {
     refusal = why;
+    refusedAt = lines.at(static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(parser))));
     XML_StopParser(parser, XML_FALSE);
   }
 };
@@ -53,6 +56,7 @@ void XMLCALL begin(void* user, const XML_Char* name, const XML_Char** attributes
   if (reading.open >= kDeepest) return reading.refuse("elements are nested too deep, expected at most 32");
   const auto tag = static_cast<std::size_t>(XML_GetCurrentByteIndex(reading.parser));
   XmlElement element{name, reading.lines.at(tag), {}, {}};
+  element.textAt = element.at;
   for (const XML_Char** next = attributes; *next; next += 2) ++reading.elements;
   if (++reading.elements > kMostElements)
     return reading.refuse("too many elements and attributes, expected at most 100000");
@@ -73,8 +77,51 @@ void XMLCALL end(void* user, const XML_Char*) {
   if (!reading.path.empty()) reading.path.pop_back();
 }
 
-void XMLCALL beginDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
+void XMLCALL characters(void* user, const XML_Char* text, int length) {
+  Reading& reading = *static_cast<Reading*>(user);
+  if (reading.open == 0) return;
+  XmlElement& element = reading.current();
+  std::string_view more(text, static_cast<std::size_t>(length));
+  if (element.text.empty()) {
+    const std::size_t first = more.find_first_not_of(kBlank);
+    if (first == std::string_view::npos) return;
+    const auto at = static_cast<std::size_t>(XML_GetCurrentByteIndex(reading.parser));
+    element.textAt = reading.lines.at(at + first);
+    more.remove_prefix(first);
+  }
+  element.text += more;
+}
+
+void XMLCALL refuseDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
   static_cast<Reading*>(user)->refuse("the file declares a document type, expected elements alone");
+}
+
+void XMLCALL refuseEntity(void* user, const XML_Char*, int isParameter, const XML_Char* value, int,
+                          const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
+  if (!value && !isParameter) return;  // names a file
+  static_cast<Reading*>(user)->refuse(
+      "the document type defines an entity with a text of its own, expected none, or files alone");
+}
+
+void XMLCALL refuseAttributes(void* user, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*,
+                              int) {
+  static_cast<Reading*>(user)->refuse("the document type defines attributes, expected files alone");
+}
+
+int XMLCALL leaveOut(XML_Parser parser, const XML_Char*, const XML_Char*, const XML_Char* file,
+                     const XML_Char*) {
+  Reading& reading = *static_cast<Reading*>(XML_GetUserData(parser));
+  const auto at = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser));
+  constexpr std::size_t kMostLeftOut = 100;
+  if (reading.leftOut.size() < kMostLeftOut)
+    reading.leftOut.push_back({file ? file : "", reading.lines.at(at)});
+  return XML_STATUS_OK;
+}
+
+/// Removes the blanks behind each element's text.
+void trim(XmlElement& element) {
+  element.text.erase(element.text.find_last_not_of(kBlank) + 1);
+  for (XmlElement& child : element.children) trim(child);
 }
 
 }  // namespace
@@ -85,19 +132,29 @@ const XmlAttribute* XmlElement::attribute(std::string_view wanted) const {
   return found == attributes.end() ? nullptr : &*found;
 }
 
-XmlElement readXml(const std::filesystem::path& file) {
+XmlElement readXml(const std::filesystem::path& file) { return readXml(file, Doctype::none).root; }
+
+XmlFile readXml(const std::filesystem::path& file, Doctype doctype) {
   const std::string text = readText(file, InputKind::xml);
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(XML_ParserCreate("UTF-8"),
                                                                             &XML_ParserFree);
-  Reading reading{parser.get(), text, LineIndex(text), {}, {}, 0, 0, {}};
+  Reading reading{parser.get(), text, LineIndex(text), {}, {}, 0, 0, {}, {}, {}};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), begin, end);
-  XML_SetStartDoctypeDeclHandler(parser.get(), beginDoctype);
+  XML_SetCharacterDataHandler(parser.get(), characters);
+  if (doctype == Doctype::none) {
+    XML_SetStartDoctypeDeclHandler(parser.get(), refuseDoctype);
+  } else {
+    XML_SetEntityDeclHandler(parser.get(), refuseEntity);
+    XML_SetAttlistDeclHandler(parser.get(), refuseAttributes);
+    XML_SetExternalEntityRefHandler(parser.get(), leaveOut);
+  }
   if (XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) == XML_STATUS_OK) {
-    return std::move(reading.root);
+    trim(reading.root);
+    return {std::move(reading.root), std::move(reading.leftOut)};
   }
   const auto where = static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(parser.get())));
-  const FilePlace at = reading.lines.at(where);
+  const FilePlace at = reading.refusal.empty() ? reading.lines.at(where) : reading.refusedAt;
   throw InputErrors(
       {InputError(file.string(), at.line, at.column,
                   reading.refusal.empty() ? fmt::format("this is no XML ({}), expected well-formed elements",

@@ -22,14 +22,34 @@ struct XmlElement {
   FilePlace at;  ///< position of its <
   std::vector<XmlAttribute> attributes;
   std::vector<XmlElement> children;
+  std::string text{};  ///< the text between its tags, without that of its children and surrounding blanks
+  FilePlace textAt{};  ///< position of its first character
 
   /// Returns null if there is none.
   const XmlAttribute* attribute(std::string_view wanted) const;
 };
 
-/// Returns the root element. Text between elements is ignored. Throws InputErrors if the file cannot be read,
-/// is not XML, is nested over 32 levels deep, has over 100 000 elements and attributes, or declares a
-/// document type (whose entities could grow without limit).
+/// What a file may have before its root element.
+enum class Doctype {
+  none,    ///< no document type
+  outside  ///< a document type that names files: none is opened, and each use of one is listed
+};
+
+/// The use of a file as an entity, which is left out.
+struct OutsideEntity {
+  std::string file;
+  FilePlace at;
+};
+
+struct XmlFile {
+  XmlElement root;
+  std::vector<OutsideEntity> leftOut;
+};
+
+/// Returns the root element. Throws InputErrors if the file cannot be read, is not XML, is nested over 32
+/// levels deep, has over 100 000 elements and attributes, or declares a document type that is not allowed;
+/// entities with a text of their own never are: they could grow without limit.
 XmlElement readXml(const std::filesystem::path& file);
+XmlFile readXml(const std::filesystem::path& file, Doctype doctype);
 
 }  // namespace carom

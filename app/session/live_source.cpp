@@ -128,7 +128,7 @@ void LiveSource::playGame(const OperatorSettings& settings, FrameState& frame) {
   std::size_t count = 0;
   for (const ViewerState& viewer : record.present()) observers[count++] = viewer.observer;
   observers[count++] = players_.earliest(record);
-  game_.forget(world_.histories, std::span(observers).first(count), frame);
+  game_.forget(world_, std::span(observers).first(count), frame);
 }
 
 void LiveSource::finish(const FrameTimes& given, Decision& decision) {

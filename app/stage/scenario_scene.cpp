@@ -11,6 +11,7 @@
 
 #include "app/files/toml_file.h"
 #include "cave/frame/bodies.h"
+#include "cave/frame/body_colour.h"
 #include "cave/mesh/mesh_file.h"
 #include "cave/mesh/mesh_size.h"
 #include "cave/scene/puck_model.h"
@@ -103,6 +104,11 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
+  for (std::size_t i = 0; i < scenario.told.size(); ++i) {
+    const ToldBody& body = scenario.told[i];
+    const auto shape = std::make_shared<const ToldShape>(ToldShape{body.history, body.triangles});
+    scene.soft.push_back(toldModel(shape, colourOf(body.name, told.size() + i)));
+  }
   for (const Pulse& pulse : scenario.pulses) scene.pulses.push_back({pulse.at_s, pulse.path_m});
   if (scenario.lesson) scene.lesson = scenario.lesson->plan;
   scene.ruler = rulerBeside(scenario.billiard, scenario.observer.position_m);

@@ -22,6 +22,7 @@
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
 #include "app/files/traces.h"
+#include "app/room_formats/room_kind.h"
 #include "app/room_import/rig_room.h"
 #include "app/room_import/room_check.h"
 #include "app/tools/import.h"
@@ -40,7 +41,7 @@ enum class FileKind { scenario, rig, playlist, foreignRoom };
 
 constexpr std::size_t kMostTold = 100;  // pucks and bodies, one by one
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const char* what) {
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what) {
   throw InputErrors({InputError(path.string(), 1, 1, what)});
 }
 
@@ -54,9 +55,8 @@ TomlFile openedToml(const std::filesystem::path& path) {
     const bool canBeRead =
         refusalOf(path, InputKind::toml).empty() && !beginningOf(path, InputKind::toml, 1).empty();
     if (path.extension() == ".toml" || !canBeRead) throw;
-    refuse(path,
-           "this is no file of a kind that is known here, expected a .toml of Carom, a .pvx of ParaView or a "
-           ".json of SGCT");
+    refuse(path, fmt::format("this is no file of a kind that is known here, expected a .toml of Carom or {}",
+                             kForeignRooms));
   }
 }
 
@@ -96,18 +96,24 @@ void tellHead(const Room& room) {
     fmt::print("distances are seen from {}, eyes at ({}, {}, {}) mm\n", words, std::lround(eyes_m.x * 1e3),
                std::lround(eyes_m.y * 1e3), std::lround(eyes_m.z * 1e3));
   }
-  for (const NodeSetup& node : room.nodes)
-    fmt::print("rank {} draws on display {}\n", node.rank, node.display);
+  for (const NodeSetup& node : room.nodes) {
+    fmt::print("rank {}{} draws{}{}\n", node.rank,
+               node.slots > 1 ? fmt::format(" to {}", node.rank + node.slots - 1) : "",
+               node.host.empty() ? "" : " on " + node.host,
+               node.display.empty() ? "" : " on display " + node.display);
+  }
 }
 
-int tellForeignRoom(const std::filesystem::path& path) {
-  const Room room = readForeignRoom(path);
+int tellForeignRoom(const std::filesystem::path& path, const std::string& wanted) {
+  const Room room = readForeignRoom(path, wanted);
   const bool failed = printFindings(path, findingsOf(room));
   fmt::print("{}: {} of {}{}\n", room.title, room.format, counted(room.walls.size(), "wall"),
              failed ? " that can be read" : "");
   tellWalls(room);
   fmt::print("head: eyes {:.1f} mm apart\n", room.eyeSeparation_m * 1e3);
   tellHead(room);
+  for (const TrackerSetup& tracker : room.trackers)
+    fmt::print("tracker {}: {}, from {}\n", tracker.name, toString(tracker.kind), tracker.source.string());
   for (const std::string& assumption : room.assumptions) fmt::print("assumed: {}\n", assumption);
   return failed ? 1 : 0;
 }
@@ -280,7 +286,7 @@ void tellScenario(const std::filesystem::path& path, const FileOpeners& open) {
   tellRest(scenario.bodies.size(), "bodies");
   for (const ToldBody& body : scenario.told) {
     const std::size_t vertices = body.history.vertexCount();
-    fmt::print("body {}: moves as its history says, {} in {}; rooms do not draw it yet\n", body.name,
+    fmt::print("body {}: moves as its history says, {} in {}\n", body.name,
                vertices == 1 ? "1 vertex" : fmt::format("{} vertices", vertices),
                counted(body.history.rowCount(), "row"));
   }
@@ -314,7 +320,7 @@ void tellPlaylist(const std::filesystem::path& path, const FileOpeners& open) {
 
 }  // namespace
 
-int runCheck(const std::filesystem::path& file, const FileOpeners& open) {
+int runCheck(const std::filesystem::path& file, const FileOpeners& open, const std::string& room) {
   switch (kindOf(file)) {
     case FileKind::scenario:
       tellScenario(file, open);
@@ -325,7 +331,7 @@ int runCheck(const std::filesystem::path& file, const FileOpeners& open) {
       tellPlaylist(file, open);
       break;
     case FileKind::foreignRoom:
-      return tellForeignRoom(file);
+      return tellForeignRoom(file, room);
   }
   return 0;
 }
@@ -334,9 +340,13 @@ void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPat
   CLI::App* command = app.add_subcommand(
       "check", "Examine a scenario, a room or a playlist and say what is in it and what is suspicious");
   auto file = std::make_shared<std::filesystem::path>();
-  command->add_option("FILE", *file, "Scenario, rig, playlist, .pvx of ParaView or .json of SGCT")
+  command
+      ->add_option("FILE", *file,
+                   std::string("Scenario, rig, playlist, or a room of another program: ") + kForeignFiles)
       ->required()
       ->transform(shipped({"rigs", "scenarios", "playlists"}));
+  auto room = std::make_shared<std::string>();
+  command->add_option("--room", *room, kRoomHelp)->type_name("NAME");
   auto pattern = std::make_shared<bool>(false);
   auto capture = std::make_shared<std::optional<std::filesystem::path>>();
   if (showPattern) {
@@ -362,7 +372,7 @@ void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPat
                       "to be examined, expected a smaller file",
                       printable(file->string())));
     try {
-      status = runCheck(*file, open);
+      status = runCheck(*file, open, *room);
     } catch (const std::bad_alloc&) {
       std::terminate();  // says that the budget is used up
     }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
@@ -21,9 +22,10 @@ struct FileOpeners {
   std::function<void(const std::filesystem::path&, const Rig&)> blends{};
 };
 
-/// Returns the exit status: 1 if a room of another program has errors. Throws InputErrors if the file has
+/// `room` names one of several rooms in a file of another program. Returns the exit status: 1 if such a room
+/// has errors. Throws InputErrors if the file has
 /// faults.
-int runCheck(const std::filesystem::path& file, const FileOpeners& open = {});
+int runCheck(const std::filesystem::path& file, const FileOpeners& open = {}, const std::string& room = {});
 
 /// Shows the test patterns of a rig, or writes them as images to the folder `capture`. Returns the exit
 /// status.

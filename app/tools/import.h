@@ -12,11 +12,15 @@ class App;
 
 namespace carom {
 
-/// Returns whether the extension is that of another program's room: .pvx of ParaView or .json of SGCT.
-bool isForeignRoom(const std::filesystem::path& file);
-
-/// Reads a file for which isForeignRoom is true. Throws InputErrors if it cannot be read.
-Room readForeignRoom(const std::filesystem::path& file);
+/// The files that `check` and `import` read beside Carom's own, for their help.
+inline constexpr const char* kForeignFiles =
+    "ParaView's .pvx; SGCT's .json or .xml; .xml of OpenCOVER, BlenderCAVE or BlenderVR; nDisplay's "
+    ".ndisplay or "
+    ".cfg; VR Juggler's .jconf; Equalizer's .eqc; HEVS's .json";
+inline constexpr const char* kRoomHelp =
+    "Which of several rooms in the file: a platform of HEVS, a cluster's master of OpenCOVER, a "
+    "configuration of "
+    "BlenderVR";
 
 /// Returns the findings of the reader and of the geometry checks.
 std::vector<Finding> findingsOf(const Room& room);
@@ -28,6 +32,7 @@ bool printFindings(const std::filesystem::path& file, const std::vector<Finding>
 struct ImportOptions {
   std::filesystem::path file;
   std::filesystem::path rig;  ///< output file; must not exist
+  std::string room{};         ///< which of several rooms in the file
 };
 
 /// Writes the rig completely or not at all. Assumptions are written to standard error and into the rig's

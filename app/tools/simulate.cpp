@@ -53,7 +53,11 @@ struct UnknownPuckPoint : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-bool isSoft(EventKind kind) { return kind == EventKind::softCushion || kind == EventKind::softSoft; }
+/// Whether an event is part of a collision that lasts.
+bool isSoft(EventKind kind) {
+  return kind == EventKind::softCushion || kind == EventKind::softSoft || kind == EventKind::parted ||
+         kind == EventKind::farSide;
+}
 
 /// Returns the collisions whose contact or first turn is at or before `until_s`, in the order of their
 /// commitment, each with its turns in the order of the file's pucks. Collisions after `until_s` that turn a
@@ -241,6 +245,17 @@ Json toJson(const Puck& puck, const WorldLine& line, double t_s) {
   return json;
 }
 
+/// Returns where a puck is and how it moves; of a soft one, its centre of energy.
+PuckState stateAt(const std::vector<Puck>& pucks, const Billiard& billiard, const Moment& moment,
+                  std::size_t puck) {
+  PuckState state = stateAt(pucks[puck], billiard.worldLines()[puck], moment.t_s);
+  if (const SoftPuckState* soft = softState(moment, puck)) {
+    state.position_m = soft->position_m, state.beta = soft->beta;
+    state.spin_kg_m2_s = soft->spin_kg_m2_s, state.properTime_s = soft->properTime_s;
+  }
+  return state;
+}
+
 Json statesJson(const std::vector<Puck>& pucks, const Billiard& billiard, const SimulateOptions& options,
                 std::span<const Moment> moments) {
   Json states = Json::array();
@@ -248,12 +263,10 @@ Json statesJson(const std::vector<Puck>& pucks, const Billiard& billiard, const 
     Json places = Json::array(), speeds = Json::array(), spins = Json::array(), angles = Json::array(),
          masses = Json::array();
     for (std::size_t i = 0; i < pucks.size(); ++i) {
-      PuckState state = stateAt(pucks[i], billiard.worldLines()[i], moment.t_s);
-      double mass_kg = restMass_kg(pucks[i], state.spin_kg_m2_s, billiard.worldLines()[i].lightSpeed_m_s());
-      if (const SoftPuckState* soft = softState(moment, i)) {
-        state.position_m = soft->position_m, state.beta = soft->beta, state.spin_kg_m2_s = soft->spin_kg_m2_s;
-        mass_kg = soft->restMass_kg;
-      }
+      const PuckState state = stateAt(pucks, billiard, moment, i);
+      const SoftPuckState* soft = softState(moment, i);
+      const double c_m_s = billiard.worldLines()[i].lightSpeed_m_s();
+      const double mass_kg = soft ? soft->restMass_kg : restMass_kg(pucks[i], state.spin_kg_m2_s, c_m_s);
       places.push_back(vectorJson(state.position_m));
       speeds.push_back(vectorJson(state.beta));
       spins.push_back(state.spin_kg_m2_s);
@@ -271,13 +284,19 @@ Json statesJson(const std::vector<Puck>& pucks, const Billiard& billiard, const 
   return states;
 }
 
-/// Returns all collisions up to the last of the moments: the rigid ones in the order of the events, and each
-/// that lasts before the first of those whose contact is later.
-Json collisionsJson(const std::vector<Puck>& pucks, const Billiard& billiard, const Moment& end) {
+/// Returns the collisions that last, in the order of their contacts.
+std::vector<SoftContactState> lastingUntil(const Moment& end) {
   std::vector<SoftContactState> lasting = end.soft.contacts;
   std::stable_sort(lasting.begin(), lasting.end(), [](const SoftContactState& a, const SoftContactState& b) {
     return a.contact.t_s < b.contact.t_s;
   });
+  return lasting;
+}
+
+/// Returns all collisions up to the last of the moments: the rigid ones in the order of the events, and each
+/// that lasts before the first of those whose contact is later.
+Json collisionsJson(const std::vector<Puck>& pucks, const Billiard& billiard, const Moment& end) {
+  const std::vector<SoftContactState> lasting = lastingUntil(end);
   Json collisions = Json::array();
   auto next = lasting.begin();
   const auto listUntil = [&](double t_s) {
@@ -330,7 +349,47 @@ bool anySpins(const Billiard& billiard) {
   });
 }
 
-std::string tableOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options) {
+/// Returns the table of the collisions that last.
+std::string lastingTable(const std::vector<Puck>& pucks, const Moment& end) {
+  const std::vector<SoftContactState> lasting = lastingUntil(end);
+  if (lasting.empty()) return "";
+  std::string text = fmt::format("\n{} collisions of soft pucks, which last:\n", lasting.size()) +
+                     " contact s         x m      y m   puck         meets        parted s   received x, y "
+                     "kg m/s       heat J\n";
+  for (const SoftContactState& one : lasting) {
+    const std::string other =
+        one.cushion ? fmt::format("cushion {}", nameOf(*one.cushion)) : pucks[one.pucks[1]].name;
+    const std::string parted = one.parted_s ? fmt::format("{:8.4f}", *one.parted_s) : "       -";
+    text += fmt::format("{:10.4f}  {:10.4f} {:8.4f}   {:<12} {:<12} {}   {:9.5f} {:9.5f}   {:10.6g}\n",
+                        one.contact.t_s, one.contact.r_m.x, one.contact.r_m.y, pucks[one.pucks[0]].name,
+                        other, parted, one.impulse_kg_m_s.x + 0.0, one.impulse_kg_m_s.y + 0.0, one.heat_j);
+  }
+  return text;
+}
+
+/// Returns the table of what only soft pucks have.
+std::string softTable(const std::vector<Puck>& pucks, std::span<const Moment> moments) {
+  std::string text;
+  for (const Moment& moment : moments) {
+    for (std::size_t i = 0; i < pucks.size(); ++i) {
+      const SoftPuckState* soft = softState(moment, i);
+      if (!soft) continue;
+      text += fmt::format("{:10.4f}  {:<12} {:12.6g} {:12.6g} {:12.6g} {:14.6g}   {}", moment.t_s,
+                          pucks[i].name, soft->restMass_kg, soft->heat_j, soft->elastic_j, soft->spin_kg_m2_s,
+                          soft->isAwake ? "awake" : "asleep");
+      if (soft->becameSoft_s) text += fmt::format(", soft since {:.4f} s", *soft->becameSoft_s);
+      text += '\n';
+    }
+  }
+  if (text.empty()) return "";
+  return "\nSoft pucks:\n       t s  puck         rest mass kg       heat J    elastic J   spin kg m²/s   "
+         "waves\n" +
+         text;
+}
+
+/// `moments` are those of the states, and the end.
+std::string tableOf(const Scenario& scenario, const Billiard& billiard, const SimulateOptions& options,
+                    std::span<const Moment> moments) {
   const std::vector<Puck>& pucks = scenario.billiard.pucks;
   std::string text = fmt::format("{}, light at {} m/s\n\n", scenario.title, scenario.billiard.lightSpeed_m_s);
   const std::vector<GameEvent> collisions = collisionsUntil(billiard, options.until_s);
@@ -353,19 +412,18 @@ std::string tableOf(const Scenario& scenario, const Billiard& billiard, const Si
           turn.event.t_s, turn.betaBefore.x, turn.betaBefore.y, turn.betaAfter.x, turn.betaAfter.y);
     }
   }
+  text += lastingTable(pucks, moments.back());
   const bool spins = anySpins(billiard);
   text +=
       fmt::format("\nPucks:\n       t s  puck              x m      y m     v/c x   v/c y   own clock s{}\n",
                   spins ? "   spin kg m²/s     rad/s  angle rad" : "");
-  std::vector<double> times_s{options.until_s};
-  if (options.every_s) times_s = stateTimes_s(options.until_s, *options.every_s);
-  if (times_s.back() < options.until_s) times_s.push_back(options.until_s);
-  for (const double t_s : times_s) {
-    for (std::size_t i = 0; i < pucks.size(); ++i) {
-      text += stateLine(t_s, pucks[i].name, stateAt(pucks[i], billiard.worldLines()[i], t_s), spins);
-    }
+  const std::size_t count = moments.size();
+  if (count > 1 && moments[count - 2].t_s == moments[count - 1].t_s) moments = moments.first(count - 1);
+  for (const Moment& moment : moments) {
+    for (std::size_t i = 0; i < pucks.size(); ++i)
+      text += stateLine(moment.t_s, pucks[i].name, stateAt(pucks, billiard, moment, i), spins);
   }
-  return text;
+  return text + softTable(pucks, moments);
 }
 
 /// Returns the ledger including friction on the unfinished legs up to `until_s`, which the billiard adds only
@@ -496,7 +554,7 @@ int runSimulate(const SimulateOptions& options) {
                     first.event.t_s));
   }
   out.commit(options.json ? jsonOf(scenario, billiard, options, moments)
-                          : tableOf(scenario, billiard, options) +
+                          : tableOf(scenario, billiard, options, moments) +
                                 balanceOf(scenario, start, ledgerAt(scenario, billiard, options.until_s)));
   return 0;
 }

@@ -154,7 +154,9 @@ std::string trackerLine(const Watched& watched, double now_s) {
   for (const LossCounter& counter : watched.losses) losses += counter.count();
   count(losses, "losses");
   if (!health.message.empty()) line += fmt::format(". {}", health.message);
-  return line + '\n';
+  line += '\n';
+  if (!health.names.empty()) line += fmt::format("  {}: {}\n", watched.setup->name, health.names);
+  return line;
 }
 
 std::string inputLines(const Watched& watched) {

@@ -39,6 +39,10 @@ EventKind soundOf(EventKind kind) {
   return kind == EventKind::softCushion ? EventKind::puckCushion : kind;
 }
 
+bool isSilent(EventKind kind) {
+  return kind == EventKind::flash || kind == EventKind::parted || kind == EventKind::farSide;
+}
+
 Heard heardOf(const GameEvent& event, const Event& eye, const Lorentz& headFromBoard,
               const Switches& switches) {
   const Vec3 way_m = event.at.r_m - eye.r_m;
@@ -64,7 +68,7 @@ void heardBetween(const ObserverView& before, const ObserverView& now, const Swi
   const double c_m_s = now.headFromBoard.lightSpeed_m_s();
   const bool retarded = switches.retardation != 0;
   for (const GameEvent& event : events) {
-    if (event.kind == EventKind::flash || hasCome(event.at, was, c_m_s, retarded) ||
+    if (isSilent(event.kind) || hasCome(event.at, was, c_m_s, retarded) ||
         !hasCome(event.at, is, c_m_s, retarded))
       continue;
     heard.push_back(heardOf(event, is, now.headFromBoard, switches));

@@ -23,7 +23,8 @@ struct Heard {
 /// `before` and until `now`: they are in the past cone of the second observation event but not in that of the
 /// first. The past cones of a person's events lie within each other, so each event is heard once, even if it
 /// is taken back and comes again unchanged; an event that is new is heard when its light arrives. Without
-/// retardation, events are heard when they happen. Flashes make no sound, and there is no sound while the
+/// retardation, events are heard when they happen. Flashes make no sound, nor do soft pucks
+/// when they part or their far sides hear of it, and there is no sound while the
 /// person's time stands still, runs backwards or jumps.
 void heardBetween(const ObserverView& before, const ObserverView& now, const Switches& switches,
                   const std::vector<GameEvent>& events, std::vector<Heard>& heard);

@@ -38,11 +38,13 @@ constexpr double kSpin_s = 0.002;         // shorter waits do not sleep
 constexpr std::chrono::microseconds kNap{100};
 constexpr int kShared = 1, kDrawn = 2, kLastWords = 3;  // message tags
 
-/// The head of a frame's message, before the knots and events.
+/// The head of a frame's message, before the knots, events and rows.
 struct Header {
   FrameRecord record;
   std::uint64_t knots = 0;
   std::uint64_t events = 0;
+  std::uint64_t rows = 0;
+  std::uint64_t rowNodes = 0;
 };
 
 /// A rank's message that it has drawn a frame.
@@ -245,13 +247,18 @@ void Cluster::share(FrameState& state) {
 
 void Cluster::shareFrame(FrameState& state) const {
   if (size_ == 1) return;
-  Header header{state.record, state.knots.size(), state.events.size()};
+  Header header{state.record, state.knots.size(), state.events.size(), state.rows.size(),
+                state.rowNodes.size()};
   fromRankZero(&header, sizeof header);
   state.record = header.record;
-  state.knots.resize(header.knots);
-  state.events.resize(header.events);
-  if (!state.knots.empty()) fromRankZero(state.knots.data(), state.knots.size() * sizeof(BodyKnot));
-  if (!state.events.empty()) fromRankZero(state.events.data(), state.events.size() * sizeof(GameEvent));
+  const auto shareList = [this](auto& list, std::uint64_t size) {
+    list.resize(size);
+    if (!list.empty()) fromRankZero(list.data(), list.size() * sizeof(list[0]));
+  };
+  shareList(state.knots, header.knots);
+  shareList(state.events, header.events);
+  shareList(state.rows, header.rows);
+  shareList(state.rowNodes, header.rowNodes);
 }
 
 /// Sends rank 0's bytes to every rank, in one message each: a broadcast, which forwards along a tree, would

@@ -70,7 +70,10 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
   }
   const TimeViews& views = record.views;
   const Ghosts ghosts = viewGhosts(switches, record, world, observer, eye);
-  renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts);
+  SoftLook soft{world.soft, views.strain ? Told::strain : views.heat ? Told::heat : Told::nothing};
+  if (!ghosts.boardNow.empty()) soft.boardNow = Event{observer.middle.observation.t_s, eye.observation.r_m};
+  if (!ghosts.myNow.empty()) soft.myNow = eye.observation;
+  renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts, soft);
   marked_ = !scene_.pulses.empty() || record.lesson.phase != LessonPhase::none ||
             std::any_of(kNamedViews.begin(), kNamedViews.end(),
                         [&](const NamedView& view) { return view.isMark && views.*view.value; });

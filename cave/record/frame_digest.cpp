@@ -96,6 +96,23 @@ std::uint64_t digestOfNewest(std::span<const GameEvent> events) {
   return digest;
 }
 
+template <typename T>
+std::uint64_t digestOfBytes(std::span<const T> list, std::uint64_t before) {
+  return XXH3_64bits_withSeed(list.data(), list.size_bytes(), before);
+}
+
+/// Digests the new rows, and of each soft body the number of its rows and the nodes of the last one.
+std::uint64_t digestOfRows(const FrameState& state, const World& world) {
+  std::uint64_t digest = digestOfBytes(std::span(state.rows), 0);
+  digest = digestOfBytes(std::span(state.rowNodes), digest);
+  for (const SoftPast& past : world.soft) {
+    const std::size_t count = past.rows.rowCount();
+    digest = digestOfBytes(std::span(&count, 1), digest);
+    if (count > 0) digest = digestOfBytes(past.rows.nodesOf(count - 1), digest);
+  }
+  return digest;
+}
+
 }  // namespace
 
 FrameDigest digestOf(const FrameState& state, const World& world) {
@@ -107,6 +124,7 @@ FrameDigest digestOf(const FrameState& state, const World& world) {
   std::copy(digests.all().begin(), digests.all().end(), all.fields.begin());
   all.fields[kSections] = digestOfNewest(world.histories);
   all.fields[kSections + 1] = digestOfNewest(world.events);
+  all.fields[kSections + 2] = digestOfRows(state, world);
   return all;
 }
 

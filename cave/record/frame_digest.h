@@ -12,9 +12,9 @@ namespace carom {
 /// Digests of the data from which a node draws a frame, one for each section of the record and for each list.
 /// If they differ between nodes, something is wrong.
 struct FrameDigest {
-  static constexpr std::array<const char*, 9> kFields = {"frame number", "display time",   "observer",
-                                                         "switches",     "tracked places", "new knots",
-                                                         "new events",   "histories",      "events"};
+  static constexpr std::array<const char*, 10> kFields = {
+      "frame number", "display time", "observer",  "switches", "tracked places",
+      "new knots",    "new events",   "histories", "events",   "soft rows"};
   std::array<std::uint64_t, kFields.size()> fields{};
 
   bool operator==(const FrameDigest&) const = default;

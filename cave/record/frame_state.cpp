@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -27,6 +28,39 @@ void applyEvents(const FrameState& state, std::vector<GameEvent>& events) {
                                 [before_s](const GameEvent& event) { return isOver(event, before_s); }));
 }
 
+void truncateRows(double time_m, std::vector<SoftPast>& soft) {
+  for (SoftPast& past : soft) {
+    past.rows.truncateFrom(time_m);
+    if (past.rows.rowCount() == 0) past.rigid.reset();
+  }
+}
+
+void forgetRows(double time_m, std::vector<SoftPast>& soft) {
+  for (SoftPast& past : soft) {
+    past.rows.forgetBefore(time_m);
+    if (past.rigid && !past.rows.row(0).wasRigid) past.rigid.reset();
+  }
+}
+
+void applyRows(const FrameState& state, World& world) {
+  const FrameRecord& record = state.record;
+  if (record.rowsFrom_m < std::numeric_limits<double>::infinity())
+    truncateRows(record.rowsFrom_m, world.soft);
+  std::size_t node = 0;
+  for (const SoftRow& row : state.rows) {
+    if (row.body >= world.histories.size() || row.nodes > state.rowNodes.size() - node)
+      throw std::out_of_range("frame record: a row of a body that is not there, or without its nodes");
+    if (world.soft.empty()) world.soft.resize(world.histories.size());
+    SoftPast& past = world.soft[row.body];
+    past.rows.append(row, std::span(state.rowNodes).subspan(node, row.nodes));
+    node += row.nodes;
+    if (!row.wasRigid) continue;
+    past.rigid = world.histories[row.body];
+    past.rigid->truncateFrom(row.time / past.rigid->lightSpeed_m_s());
+  }
+  if (std::isfinite(record.rowsForgottenBefore_m)) forgetRows(record.rowsForgottenBefore_m, world.soft);
+}
+
 }  // namespace
 
 void applyFrame(const FrameState& state, World& world) {
@@ -46,6 +80,7 @@ void applyFrame(const FrameState& state, World& world) {
     history.append(knot.knot);
     if (!history.settlesBeforeNext(history.knots().size() - 2)) history.settlesAfter(joinedAfter_s(history));
   }
+  applyRows(state, world);
   if (std::isfinite(state.record.forgetBefore_s)) {
     for (WorldLine& history : histories.subspan(1, state.record.pucks)) {
       history.forgetBefore(state.record.forgetBefore_s);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "engine/base/pose.h"
 #include "engine/billiard/game_event.h"
 #include "engine/light/switches.h"
+#include "engine/soft/soft_history.h"
 #include "engine/spacetime/observer.h"
 #include "engine/spacetime/world_line.h"
 
@@ -72,6 +74,11 @@ struct FrameRecord {
   /// After both have been added, the pucks lose the legs that ended before this board time, and the list
   /// loses the events that were over by then: no eye will see them any more.
   double forgetBefore_s = -std::numeric_limits<double>::infinity();
+  /// Likewise of the rows of soft bodies (engine/soft/soft_history.h), by their times in metres of light:
+  /// before the new rows are added, those from the first of these times on are void; after that those before
+  /// the last row at or before the second are forgotten.
+  double rowsFrom_m = std::numeric_limits<double>::infinity();
+  double rowsForgottenBefore_m = -std::numeric_limits<double>::infinity();
   std::uint64_t last = 0;  ///< 1: the frame loop ends after this frame: the end, or another game follows
   /// Speed of light for the person, in metres per second of their own clock. The game keeps its own speed of
   /// light (app/operator/operator_settings.h).
@@ -110,23 +117,34 @@ struct SeenFrame {
 };
 
 static_assert(std::is_trivially_copyable_v<FrameRecord> && std::is_trivially_copyable_v<BodyKnot> &&
-              std::is_trivially_copyable_v<GameEvent>);
+              std::is_trivially_copyable_v<GameEvent> && std::is_trivially_copyable_v<SoftRow> &&
+              std::is_trivially_copyable_v<SoftNode>);
 
-/// A frame's record with its new knots and events.
+/// A frame's record with its new knots, events and rows.
 struct FrameState {
   FrameRecord record;
   std::vector<BodyKnot> knots;
   std::vector<GameEvent> events;
+  std::vector<SoftRow> rows;  ///< `body`: as numbered in the scene
+  std::vector<SoftNode> rowNodes;
+};
+
+/// What a node has of a body that is soft: no rows, and it is not soft, or not yet.
+struct SoftPast {
+  SoftHistory rows;
+  std::optional<WorldLine> rigid;  ///< its motion before the first row, if it was rigid until then
 };
 
 /// A node's copy of the game, built up from the frames.
 struct World {
   std::vector<WorldLine> histories;  ///< of every body of the scene
   std::vector<GameEvent> events;     ///< in the order of their numbers; the earliest may have been forgotten
+  std::vector<SoftPast> soft{};      ///< of every body of the scene; empty until there are rows
 };
 
 /// Brings `world` up to date with the frame: truncates, appends, then forgets. Throws std::out_of_range if
-/// the frame names a body that does not exist.
+/// the frame names a body that does not exist, and std::invalid_argument for a row that cannot follow the
+/// last.
 void applyFrame(const FrameState& state, World& world);
 
 }  // namespace carom

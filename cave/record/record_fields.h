@@ -205,6 +205,10 @@ void visit(Record& record, Fields& fields) {
   // When a session is continued, or seen by another viewer, more may be seen than was seen at first, so
   // nothing is ever discarded.
   fields("forget_before_s", record.forgetBefore_s, kTime.in(Stored::notAtAll));
+  // Rows are not stored at all: a game that is played anew makes them again
+  // (engine/billiard/soft_row_book.h).
+  fields("rows_from_m", record.rowsFrom_m, kTime.in(Stored::notAtAll));
+  fields("rows_forgotten_before_m", record.rowsForgottenBefore_m, kTime.in(Stored::notAtAll));
   fields.section(FrameSection::events);
   fields("events_kept", record.eventsKept, kCount);
 }

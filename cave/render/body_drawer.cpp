@@ -21,6 +21,8 @@ constexpr float kAlways_m = -1e30F;       // means that the body has always exis
 constexpr float kDecalNearer = 0.002F;    // fraction of the distance by which a decal is drawn nearer
 constexpr float kBodiesNearer = 0.0005F;  // the same of the last body
 constexpr float kHatch = 0.5F;            // of a ghost, as a fraction of its body's reach from its centre
+constexpr float kSoftGloss = 0.3F;
+constexpr double kPointReach_m = 0.03;  // stands for that of a told body
 constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
 
 /// Makes a texture of the four numbers a texel that a buffer holds.
@@ -52,10 +54,19 @@ Legs legsOf(std::span<const GpuLeg> legs, bool round) {
   return even ? Legs::oneSpinning : Legs::manySpinning;
 }
 
+/// Whether a body is seen to be soft at a moment, and not drawn by its parts.
+bool isDrawnSoft(const SoftDrawer& soft, ViewTime moment, std::size_t body) {
+  if (!soft.has(body)) return false;
+  for (std::size_t number = 0; number < soft.modelCount(); ++number) {
+    if (soft.model(number).body == body) return soft.bound(moment, number).radius >= 0.0;
+  }
+  return false;
+}
+
 }  // namespace
 
 BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s)
-    : scene_(scene), chunks_(scene), surfaces_(chunks_) {
+    : scene_(scene), chunks_(scene), surfaces_(chunks_), soft_(scene) {
   eye_.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
   for (std::size_t i = 0; i < 3; ++i) eye_.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
   layers_.reserve(kMoments.size());
@@ -131,12 +142,14 @@ void BodyDrawer::upload() {
   glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(uploaded_.size() * sizeof(std::uint32_t)),
                uploaded_.data(), GL_STREAM_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  soft_.upload();
 }
 
 void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-                      const Switches& switches, const Ghosts& ghosts) {
+                      const Switches& switches, const Ghosts& ghosts, const SoftLook& soft) {
   switches_ = switches;
   legs_.clear();
+  soft_.look(headFromBoard, eye, switches, soft);
   takeLayer(ViewTime::seen, bodies, headFromBoard);
   takeLayer(ViewTime::boardNow, ghosts.boardNow, headFromBoard);
   takeLayer(ViewTime::myNow, ghosts.myNow, headFromBoard);
@@ -218,7 +231,39 @@ void BodyDrawer::bindArray(const GlVertexArray& array) {
   boundArray_ = array;
 }
 
+/// Draws a soft body as rigid ones are drawn: by the same programs, but with its vertices solved for.
+void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
+  const SoftModel& model = soft_.model(chosen.number);
+  const SeenBound& bound = soft_.bound(chosen.moment, chosen.number);
+  const bool ghost = chosen.moment != ViewTime::seen, isShadow = chosen.sort == ChosenPart::Sort::softShadow;
+  PartUniforms uniforms;
+  uniforms.drawnFromSeen = layers_[static_cast<std::size_t>(chosen.moment)].drawnFromSeen;
+  uniforms.appears_m = model.told ? SeenRows::kUnseen_m : kAlways_m;
+  uniforms.colour = model.colour;
+  uniforms.gloss = kSoftGloss;
+  const std::size_t body = model.told ? scene_.bodyCount + chosen.number : model.body;
+  uniforms.tint = static_cast<float>(body % 3);
+  const float share = static_cast<float>(body) / static_cast<float>(scene_.bodyCount);
+  uniforms.nearer = ghost || isShadow ? kDecalNearer : kBodiesNearer * share;
+  uniforms.ghostColour = linearOf(chosen.moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
+  uniforms.hatch_m = kHatch * static_cast<float>(model.told ? kPointReach_m : model.reach_m());
+  uniforms.middleMotion = glm::vec4(gammaFromU(bound.middleU), bound.middleU);
+  if (switches_ == kNoSwitches) uniforms.middleMotion = {1.0F, 0.0F, 0.0F, 0.0F};
+  uniforms.telling = static_cast<int>(soft_.told());
+  const bool isPlain = ghost || model.told != nullptr;
+  const Paint paint = isPlain ? Paint::plain : isShadow ? Paint::shadow : Paint::soft;
+  BodyProgram* program = nullptr;
+  programFor({Legs::followed, paint, switches_, chosen.moment}, program);
+  use(program->name());
+  program->set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
+  setState(isShadow || ghost, isShadow, !isShadow, model.told != nullptr);
+  bindArray(soft_.array(chosen.moment));
+  soft_.drawTriangles(chosen.number, isShadow);
+}
+
 void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
+  if (chosen.sort == ChosenPart::Sort::soft || chosen.sort == ChosenPart::Sort::softShadow)
+    return drawSoft(choice, chosen);
   const ScenePart& part = scene_.parts[chosen.number];
   const PartUniforms uniforms = uniformsOf(chosen.moment, chosen.number);
   const bool ghost = chosen.moment != ViewTime::seen;
@@ -255,8 +300,10 @@ void BodyDrawer::drawTriangles(const Choice& choice, const ChosenPart& chosen) {
   }
 }
 
-bool BodyDrawer::isStill(ViewTime moment, std::size_t number) const {
-  const ScenePart& part = scene_.parts[number];
+bool BodyDrawer::isStill(const ChosenPart& chosen) const {
+  if (chosen.sort == ChosenPart::Sort::soft || chosen.sort == ChosenPart::Sort::softShadow) return false;
+  const ViewTime moment = chosen.moment;
+  const ScenePart& part = scene_.parts[chosen.number];
   return moment == ViewTime::seen && part.body == kRestingBody && part.paint != Paint::clock;
 }
 
@@ -320,6 +367,7 @@ void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
     const IndexRanges ranges = visible.of(number);
     if (ranges.counts.empty()) continue;
     if (ghosts && (part.body == kRestingBody || part.paint == Paint::shadow)) continue;
+    if (isDrawnSoft(soft_, moment, part.body)) continue;
     if (chunks_.parts[number].tiled) {
       takeSurfaces(number, choice);
     } else {
@@ -328,6 +376,22 @@ void BodyDrawer::takeParts(ViewTime moment, Choice& choice) const {
       for (const int count : ranges.counts) choice.triangles += static_cast<std::size_t>(count) / 3;
       choice.offsets.insert(choice.offsets.end(), ranges.offsets.begin(), ranges.offsets.end());
     }
+  }
+}
+
+/// Appends the soft bodies that the wall may show; a shadow reaches further than its body.
+void BodyDrawer::takeSoft(ViewTime moment, Choice& choice) const {
+  for (std::size_t number = 0; number < soft_.modelCount(); ++number) {
+    const SoftModel& model = soft_.model(number);
+    const glm::dmat4& clip = choice.clipFromDrawn;
+    const double shadow_m = scene_.longestShadow * model.height_m;
+    if (moment == ViewTime::seen && !model.told && soft_.mayShow(moment, number, clip, shadow_m)) {
+      choice.parts.push_back({moment, number, 0, 0, ChosenPart::Sort::softShadow});
+      choice.triangles += model.shadow.size() / 3;
+    }
+    if (!soft_.mayShow(moment, number, clip)) continue;
+    choice.parts.push_back({moment, number, 0, 0, ChosenPart::Sort::soft});
+    choice.triangles += model.surface.size() / 3;
   }
 }
 
@@ -345,14 +409,15 @@ const BodyDrawer::Choice& BodyDrawer::choose(const glm::dmat4& clipFromDrawn, do
   surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);
   choice.levels = surfaces_.digest();
   appendSurfaces(choice);
-  for (const ViewTime moment : kMoments) takeParts(moment, choice);  // ghosts last: they are transparent
+  for (const ViewTime moment : kMoments) {  // ghosts last: they are transparent
+    takeParts(moment, choice);
+    takeSoft(moment, choice);
+  }
   return choice;
 }
 
 void BodyDrawer::draw(const Choice& choice, What what) {
-  const auto isMeant = [&](const ChosenPart& part) {
-    return (what == What::still) == isStill(part.moment, part.number);
-  };
+  const auto isMeant = [&](const ChosenPart& part) { return (what == What::still) == isStill(part); };
   if (std::none_of(choice.parts.begin(), choice.parts.end(), isMeant)) return;
   bindTextures(colourTexture_, legTexture_);
   for (const ChosenPart& part : choice.parts)

@@ -14,6 +14,7 @@
 #include "cave/gl/gl_objects.h"
 #include "cave/render/body_program.h"
 #include "cave/render/ghosts.h"
+#include "cave/render/soft_drawer.h"
 #include "cave/render/tiled_surfaces.h"
 #include "cave/render/visible_chunks.h"
 #include "cave/scene/scene.h"
@@ -41,7 +42,7 @@ class BodyDrawer {
 
   /// Sets what one eye sees, as WallRenderer::look.
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-            const Switches& switches, const Ghosts& ghosts);
+            const Switches& switches, const Ghosts& ghosts, const SoftLook& soft);
 
   /// Chooses what a wall may show; with `everything`, also what it cannot. Surfaces are divided so finely
   /// that nothing is off by more than half of `pixel_rad`. Returns the choice, which holds until the next
@@ -85,8 +86,10 @@ class BodyDrawer {
   void takeParts(ViewTime moment, Choice& choice) const;
   void takeSurfaces(std::size_t number, Choice& choice) const;
   void appendSurfaces(Choice& choice);
-  bool isStill(ViewTime moment, std::size_t number) const;
+  void takeSoft(ViewTime moment, Choice& choice) const;
+  bool isStill(const ChosenPart& part) const;
   void drawPart(const Choice& choice, const ChosenPart& part);
+  void drawSoft(const Choice& choice, const ChosenPart& part);
   void drawTriangles(const Choice& choice, const ChosenPart& chosen);
   void use(unsigned program);
   void bindArray(const GlVertexArray& array);
@@ -97,6 +100,7 @@ class BodyDrawer {
   Scene scene_;
   SceneChunks chunks_;
   TiledSurfaces surfaces_;
+  SoftDrawer soft_;
   Switches switches_;
   EyeUniforms eye_;
   std::vector<GpuLeg> legs_;
@@ -116,9 +120,9 @@ class BodyDrawer {
 
 /// A part, or what there is of it of one sort, that one wall shows.
 struct BodyDrawer::ChosenPart {
-  enum class Sort { chunks, tiles, fine };
+  enum class Sort { chunks, tiles, fine, soft, softShadow };
   ViewTime moment = ViewTime::seen;
-  std::size_t number = 0;            ///< in the scene
+  std::size_t number = 0;            ///< in the scene, of a part or of a soft model
   std::size_t first = 0, count = 0;  ///< of ranges; of tiles, of indices in the eye's buffer
   Sort sort = Sort::chunks;
 };

@@ -58,6 +58,8 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   place(has_.nearer, "nearer");
   place(has_.ghostColour, "ghostColour");
   place(has_.hatch_m, "hatch_m");
+  place(has_.middleMotion, "middleMotion");
+  place(has_.telling, "telling");
   glUseProgram(program_);
   setUniform(program_, "legTexels", kLegUnit);
   setUniform(program_, "colourTexels", kColourUnit);
@@ -85,8 +87,8 @@ void BodyProgram::set(const EyeUniforms& eye) {
 
 void BodyProgram::set(const PartUniforms& part) {
   has_.drawnFromSeen.set(part.drawnFromSeen);
-  has_.drawnFromBody.set(placement(*part.legs));
-  if (has_.onlyLeg.at >= 0) {
+  if (part.legs) has_.drawnFromBody.set(placement(*part.legs));
+  if (part.legs && has_.onlyLeg.at >= 0) {
     LegUniform leg;
     std::memcpy(leg.data(), part.legs, sizeof(leg));
     has_.onlyLeg.set(leg);
@@ -100,6 +102,8 @@ void BodyProgram::set(const PartUniforms& part) {
   has_.nearer.set(part.nearer);
   has_.ghostColour.set(part.ghostColour);
   has_.hatch_m.set(part.hatch_m);
+  has_.middleMotion.set(part.middleMotion);
+  has_.telling.set(part.telling);
 }
 
 void BodyProgram::set(const EyeUniforms& eye, const glm::mat4& clipFromDrawn, const PartUniforms& part) {

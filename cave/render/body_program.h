@@ -41,7 +41,7 @@ struct EyeUniforms {
 /// What they need of one part.
 struct PartUniforms {
   glm::mat4 drawnFromSeen{1.0F};
-  const GpuLeg* legs = nullptr;  ///< of this body, the first
+  const GpuLeg* legs = nullptr;  ///< of this body, the first; none if its points have been solved for
   int firstLeg = 0;
   int legCount = 0;
   float appears_m = 0.0F;
@@ -51,10 +51,14 @@ struct PartUniforms {
   float nearer = 0.0F;
   glm::vec3 ghostColour{0.0F};
   float hatch_m = 1.0F;
+  glm::vec4 middleMotion{1.0F, 0.0F, 0.0F, 0.0F};  ///< of a body whose points have been solved for
+  int telling = 0;                                 ///< a `Told`
 };
 
-/// The inputs of a vertex, in the order of MeshVertex.
-inline constexpr std::array<const char*, 4> kVertexInputs{"vertexMC", "normalMC", "surfaceMC", "litMC"};
+/// The inputs of a vertex: in the order of MeshVertex, and then those of a body whose points have been solved
+/// for (SeenVertex of cave/render/seen_rows.h).
+inline constexpr std::array<const char*, 6> kVertexInputs{"vertexMC", "normalMC", "surfaceMC",
+                                                          "litMC",    "sightMC",  "motionMC"};
 
 /// What a program is compiled for.
 struct BodyVariant {
@@ -93,11 +97,11 @@ class BodyProgram {
   };
   struct Uniforms {
     Uniform<glm::mat4> clipFromDrawn, boardFromDrawn, drawnFromSeen, drawnFromBody;
-    Uniform<glm::vec4> headOnBoard;
+    Uniform<glm::vec4> headOnBoard, middleMotion;
     Uniform<glm::vec3> eyeOnBoard_m, exposure, colour, ghostColour;
     Uniform<std::array<glm::vec3, 3>> lamps_m;
     Uniform<LegUniform> onlyLeg;
-    Uniform<int> observedWhole_s, firstLeg, legCount;
+    Uniform<int> observedWhole_s, firstLeg, legCount, telling;
     Uniform<float> observedPart_s, lightSpeed_m_s, appears_m, gloss, tint, nearer, hatch_m;
   };
   BodyVariant variant_;

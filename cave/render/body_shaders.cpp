@@ -25,6 +25,7 @@
 #include "shaders/paint_plain.h"
 #include "shaders/paint_puck.h"
 #include "shaders/paint_shadow.h"
+#include "shaders/paint_soft.h"
 #include "shaders/paint_wood.h"
 #include "shaders/spin_kernel.h"
 #include "shaders/surface_frag.h"
@@ -49,6 +50,8 @@ std::string paintText(Paint paint) {
       return shaders::paint_panels;
     case Paint::puck:
       return shaders::paint_puck;
+    case Paint::soft:
+      return shaders::paint_soft;
     case Paint::bands:
       return shaders::paint_bands;
     case Paint::shadow:
@@ -95,6 +98,7 @@ std::string kernelText(Legs legs) {
   if (legs != Legs::many && legs != Legs::manySpinning) text += "#define ONE_LEG\n";
   if (legs == Legs::oneSpinning || legs == Legs::manySpinning) text += "#define SPINS\n";
   if (legs == Legs::rest) text += "#define RESTS\n";
+  if (legs == Legs::followed) text += "#define FOLLOWED\n";
   text += shaders::leg_kernel;
   text += shaders::spin_kernel;
   text += shaders::glide_kernel;

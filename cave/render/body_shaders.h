@@ -11,11 +11,12 @@ namespace carom {
 
 /// The legs for which a shader is compiled: the simpler they are, the faster the shader.
 enum class Legs {
-  rest,         ///< one leg, at rest on the board
-  one,          ///< one straight leg
-  oneSpinning,  ///< one straight leg of a body that turns evenly, its rim at no more than 0.99 c
-  many,         ///< any number of legs of a body that does not spin
-  manySpinning  ///< any number of legs
+  rest,          ///< one leg, at rest on the board
+  one,           ///< one straight leg
+  oneSpinning,   ///< one straight leg of a body that turns evenly, its rim at no more than 0.99 c
+  many,          ///< any number of legs of a body that does not spin
+  manySpinning,  ///< any number of legs
+  followed       ///< none: the body's points have been solved for (cave/render/seen_rows.h)
 };
 
 /// Returns the GLSL text of the emission and colour kernels with everything they need.

@@ -12,6 +12,7 @@
 #include "cave/frame/lesson_plan.h"
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene_part.h"
+#include "cave/scene/soft_model.h"
 #include "engine/light/light_path.h"
 #include "engine/spacetime/world_line.h"
 
@@ -49,7 +50,8 @@ struct Scene {
   /// How far the far end of a puck's shadow can be from the puck at most, in heights of the puck.
   double longestShadow = kLongestShadow;
   std::vector<ScenePart>
-      casters;  ///< table and hall, undivided: what throws shadows (cave/scene/baked_light.h)
+      casters;                  ///< table and hall, undivided: what throws shadows (cave/scene/baked_light.h)
+  std::vector<SoftModel> soft;  ///< of the bodies that are soft or can become so, in their order
   std::vector<LightPath> pulses;
   Ruler ruler;
   LessonPlan lesson;

@@ -23,6 +23,7 @@
 #include "cave/scene/puck_model.h"
 #include "cave/scene/shadow_model.h"
 #include "cave/scene/table_model.h"
+#include "engine/billiard/soft_puck_mesh.h"
 
 namespace carom {
 namespace {
@@ -239,6 +240,17 @@ void addBodies(Scene& scene, std::span<const BodyLooks> pucks, std::span<const B
   }
 }
 
+/// Adds the soft models of all pucks if one of them is soft: then all of them can become so.
+void addSoftModels(Scene& scene, const BilliardSetup& setup, std::span<const BodyLooks> looks) {
+  const auto isSoft = [](const Puck& puck) { return puck.soft.has_value(); };
+  if (std::none_of(setup.pucks.begin(), setup.pucks.end(), isSoft)) return;
+  for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+    const Puck& puck = setup.pucks[i];
+    scene.soft.push_back(softModel(softMeshOf(puck), puck.outline_m.empty(), puck.height_m, kFirstPuck + i,
+                                   colourOf(looks[i].name, i)));
+  }
+}
+
 }  // namespace
 
 Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
@@ -262,6 +274,7 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
 
   append(scene.parts, std::move(resting.table));
   addBodies(scene, pucks, told, tessellation);
+  addSoftModels(scene, setup, pucks);
   // The background comes last, so that most of it is hidden before it is painted.
   append(scene.parts, std::move(resting.hall));
   return scene;

@@ -25,6 +25,7 @@ enum class Paint {
   floor,   ///< tiles
   panels,  ///< walls and ceiling of the hall
   puck,    ///< sectors, rings and rim marks that show how it is deformed
+  soft,    ///< a soft puck's rings and spokes, or its strain or heat
   bands,   ///< of a rod
   shadow,  ///< on the cloth under a puck
   clock,   ///< digits showing the board time at which their light left

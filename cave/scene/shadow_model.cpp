@@ -15,14 +15,7 @@ namespace {
 
 using Vec2 = glm::dvec2;
 
-constexpr double kAboveCloth_m = 0.0005;
-constexpr double kHall = 3.0;  // instead of the number of a lamp
-
-/// For a lamp of 0.22 m radius 1.45 m above, the upper rim's shadow is soft over ±0.15 of its height.
-double softOf_m(double height_m) { return 0.15 * height_m; }
-
-/// How far the shadow of the hall's light reaches from the rim.
-double hallReachOf_m(double height_m) { return 0.9 * height_m; }
+constexpr double kHall = kShadowOfHall;
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -126,7 +119,7 @@ class ShadowOfOne {
     return cellsFor(glm::length(side.dark[1] - side.dark[0]), cell_m_);
   }
   PatchPoint point(const Vec2& at, double fade, const Vec2& normal) const {
-    return {{at, kAboveCloth_m - 0.5 * height_m_}, {fade, light_, height_m_}, {normal, 0.0}};
+    return {{at, kShadowAboveCloth_m - 0.5 * height_m_}, {fade, light_, height_m_}, {normal, 0.0}};
   }
 
   /// Adds the dark part, around a centre from which each side is seen: it bends as a puck in a bounce does.
@@ -178,7 +171,7 @@ class ShadowOfOne {
 
 ScenePart discShadow(double radius_m, double height_m, std::size_t body, double cell_m) {
   constexpr int kSectors = 36;
-  const double z = kAboveCloth_m - 0.5 * height_m;
+  const double z = kShadowAboveCloth_m - 0.5 * height_m;
   MeshBuilder shadow;
   const auto addDisc = [&](double light, double outer_m, double inner_m, double outerFade) {
     const int sectors = std::max(kSectors, cellsFor(2.0 * std::numbers::pi * outer_m, cell_m));
@@ -190,9 +183,9 @@ ScenePart discShadow(double radius_m, double height_m, std::size_t body, double 
                         {outwards, 0.0}};
     });
   };
-  addDisc(kHall, radius_m + hallReachOf_m(height_m), 0.95 * radius_m, 1.0);
+  addDisc(kHall, radius_m + hallShadowReachOf_m(height_m), 0.95 * radius_m, 1.0);
   addDisc(kHall, 0.95 * radius_m, 0.0, 0.0);
-  const double soft_m = softOf_m(height_m);
+  const double soft_m = shadowSoftOf_m(height_m);
   for (const double lamp : {0.0, 1.0, 2.0}) {
     addDisc(lamp, radius_m + soft_m, radius_m - soft_m, 1.0);
     addDisc(lamp, radius_m - soft_m, 0.0, 0.0);
@@ -203,9 +196,9 @@ ScenePart discShadow(double radius_m, double height_m, std::size_t body, double 
 ScenePart outlineShadow(std::span<const Vec2> corners_m, double height_m, std::size_t body, double cell_m) {
   const Outline outline(corners_m);
   MeshBuilder shadow;
-  const auto hall = sidesOf(outline, 0.05 * outline.radius(), hallReachOf_m(height_m));
+  const auto hall = sidesOf(outline, 0.05 * outline.radius(), hallShadowReachOf_m(height_m));
   ShadowOfOne(shadow, hall, kHall, height_m, cell_m).add();
-  const double soft_m = softOf_m(height_m);
+  const double soft_m = shadowSoftOf_m(height_m);
   const std::vector<ShadowSide> sides = sidesOf(outline, soft_m, soft_m);
   for (const double lamp : {0.0, 1.0, 2.0}) ShadowOfOne(shadow, sides, lamp, height_m, cell_m).add();
   return {.body = body, .mesh = shadow.build(), .paint = Paint::shadow};

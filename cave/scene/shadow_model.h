@@ -16,6 +16,14 @@
 
 namespace carom {
 
+inline constexpr double kShadowAboveCloth_m = 0.0005;
+/// Each of the three lamps throws a shadow of its own, and the hall's light another.
+inline constexpr int kShadowLights = 4, kShadowOfHall = 3;
+/// For a lamp of 0.22 m radius 1.45 m above, the upper rim's shadow is soft over ±0.15 of its height.
+inline double shadowSoftOf_m(double height_m) { return 0.15 * height_m; }
+/// How far the shadow of the hall's light reaches from the rim.
+inline double hallShadowReachOf_m(double height_m) { return 0.9 * height_m; }
+
 /// Returns the shadow of a disc, in cells no larger than `cell_m`: the fraction that it takes from the
 /// cloth's light of each lamp (0 to 2) and of the hall (3), in this order in surface.y. surface.x is 0 where
 /// all of that light is hidden and 1 where none is; surface.z is the puck's height. Normals point out of the

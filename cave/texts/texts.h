@@ -60,6 +60,8 @@ inline constexpr Text kEvents = "numbered flags: events";
 inline constexpr Text kFlash = "light of a flash, on its way";
 inline constexpr Text kRuler = "ruler: 1 m, and light travelling along it";
 inline constexpr Text kAngles = "angles between the outgoing paths";
+inline constexpr Text kStrain = "colours: soft matter pressed (blue) or stretched (red)";
+inline constexpr Text kHeat = "colours: the heat of soft matter, dark to yellow";
 inline constexpr Text kFrozen = "frozen view: walk around it";
 inline constexpr Text kClocks = "labels: each puck's proper time";
 inline constexpr Text kScore = "caroms  {}   strokes  {}";
@@ -187,6 +189,7 @@ inline constexpr Text kBoardNow = "ghosts: now, in the table's frame";
 inline constexpr Text kMyNow = "ghosts: now, in my frame";
 inline constexpr Text kPaths = "paths", kEvents = "events", kClocks = "clocks";
 inline constexpr Text kRuler = "ruler", kAngles = "angles";
+inline constexpr Text kStrain = "strain of soft pucks", kHeat = "heat of soft pucks";
 inline constexpr Text kSplit = "Newton beside Einstein";
 inline constexpr Text kRightRetardation = "right half: light delay";
 inline constexpr Text kRightContraction = "right half: contraction";
@@ -323,6 +326,9 @@ inline constexpr Text kSplitTip =
 inline constexpr Text kFrozenTip = "Time stands still: walk around what you see at this moment.";
 inline constexpr Text kRulerTip = "A metre on the cloth, with light travelling along it.";
 inline constexpr Text kAnglesTip = "The angles between the outgoing paths of two pucks that met.";
+inline constexpr Text kStrainTip =
+    "Soft pucks in colours: blue where their matter is pressed, red where it is stretched.";
+inline constexpr Text kHeatTip = "Soft pucks in colours of their heat, from dark through red to yellow.";
 inline constexpr Text kOn = "on", kLeft = "left", kRight = "right", kKeyColumn = "keys";
 inline constexpr Text kRightTip =
     "For the right half of every wall, when it is drawn otherwise (\"Newton beside Einstein\").";
@@ -348,6 +354,7 @@ inline constexpr std::array<Text, 3> kShownTips{
 // Events.
 inline constexpr Text kMeet = "meet", kMeetsCushion = "meets cushion", kIsStruck = "is struck";
 inline constexpr Text kFlashes = "flashes", kJam = "moves on in a jam";
+inline constexpr Text kParts = "parted", kFarSide = "hears of it on the far side";
 inline constexpr Text kSeen = "seen", kNotYet = "not yet";
 inline constexpr Text kHappened = "What has happened until now,";
 inline constexpr Text kTableFrame = "in the table's frame", kObserverFrame = "in the observer's frame";

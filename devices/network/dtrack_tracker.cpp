@@ -93,13 +93,7 @@ DtrackSource readDtrackSource(std::string_view text) {
   constexpr std::string_view kExample = "udp://0.0.0.0:5000";
   constexpr std::array<std::string_view, 3> kOptions{"from", "interface", "controller"};
   const SourceUrl url = readSourceUrl(text, "udp", kUsualPort, kOptions, kExample);
-  const auto local = ipv4Of(url.endpoint.host);
-  if (!local) {
-    throw std::invalid_argument(
-        "'" + url.endpoint.host +
-        "' is no IPv4 address, expected one of this machine, 0.0.0.0 for all of them, or a group");
-  }
-  DtrackSource source{{*local, url.endpoint.port}, url.address("interface"), url.address("from")};
+  DtrackSource source{url.local(), url.address("interface"), url.address("from")};
   const auto controller = url.options.find("controller");
   if (controller != url.options.end()) source.controller = readEndpoint(controller->second, kCommandPort);
   return source;

@@ -25,6 +25,13 @@ std::uint32_t SourceUrl::address(const std::string& key) const {
                               ", expected an address such as 192.168.1.20");
 }
 
+Ipv4 SourceUrl::local() const {
+  if (const auto address = ipv4Of(endpoint.host)) return {*address, endpoint.port};
+  throw std::invalid_argument(
+      inQuotes(endpoint.host) +
+      " is no IPv4 address, expected one of this machine, 0.0.0.0 for all of them, or a group");
+}
+
 Endpoint readEndpoint(std::string_view text, std::uint16_t defaultPort) {
   const auto [host, port] = cut(text, ':');
   const bool isPlain = !host.empty() && std::all_of(host.begin(), host.end(), [](char c) {

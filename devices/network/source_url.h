@@ -17,6 +17,9 @@ struct SourceUrl {
 
   /// Returns an option that must be an IPv4 address; 0 if it is absent. Throws std::invalid_argument.
   std::uint32_t address(const std::string& key) const;
+  /// Returns its host and port as the address at which datagrams are received: one of this machine, 0.0.0.0
+  /// for all of them, or a group. Throws std::invalid_argument.
+  Ipv4 local() const;
 };
 
 /// Reads `text`. The port is `defaultPort` if the text gives none. Throws std::invalid_argument, which says

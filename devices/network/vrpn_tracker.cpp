@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "devices/network/source_url.h"
+#include "devices/protocol/shown_name.h"
 #include "devices/protocol/vrpn_decoder.h"
 #include "devices/tracker/retry.h"
 

@@ -23,20 +23,6 @@ constexpr double kLongestLatency_s = 1.0;
 constexpr std::size_t kMostInputs = 64;  // buttons, and axes, of a Flystick; there are none with more than 16
 constexpr std::size_t kButtonsPerNumber = 32;
 
-/// Columns of a rotation matrix, one after another; none where they are far from one.
-std::optional<glm::dquat> rotationOf(const std::array<double, 9>& r) {
-  constexpr double kMiss = 0.01;                                             // six decimals miss by 1e-5
-  const glm::dmat3 m(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);  // by columns, as GLM's
-  const glm::dmat3 product = glm::transpose(m) * m;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (!(std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) <= kMiss)) return {};
-    }
-  }
-  if (!(glm::determinant(m) > 0.0)) return {};
-  return glm::normalize(glm::quat_cast(m));
-}
-
 /// Returns whether a digit, a comma and a digit follow each other. DTRACK separates numbers by spaces alone.
 bool hasDecimalComma(std::string_view line) {
   const auto isDigit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
@@ -110,7 +96,7 @@ class DtrackDecoder::Line {
     std::array<double, 3> place_mm{};
     std::array<double, 9> rotation{};
     if (!wholeBlock(place_mm) || !wholeBlock(rotation)) return false;
-    if (const auto orientation = rotationOf(rotation)) {
+    if (const auto orientation = checkedRotation(rotation)) {
       pose =
           checkedPose(glm::dvec3(place_mm[0], place_mm[1], place_mm[2]) * kMetresPerMillimetre, *orientation);
     }

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "devices/protocol/checked_pose.h"
+#include "devices/protocol/shown_name.h"
 #include "devices/protocol/wire_reader.h"
 
 namespace carom {
@@ -254,12 +255,6 @@ bool VrpnDecoder::understand(const Header& header, std::span<const std::uint8_t>
   }
   if (understood) readings.push_back(reading);
   return understood;
-}
-
-std::string shownName(std::string_view name) {
-  std::string result(name.substr(0, 40));
-  for (char& c : result) c = c >= ' ' && c <= '~' ? c : '?';
-  return result;
 }
 
 std::vector<std::uint8_t> vrpnGreeting() {

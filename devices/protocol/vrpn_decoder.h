@@ -79,9 +79,6 @@ class VrpnDecoder {
   int pings_ = 0;
 };
 
-/// Returns a sender's name for a message: printable and short.
-std::string shownName(std::string_view name);
-
 /// Returns what a client sends first: its cookie.
 std::vector<std::uint8_t> vrpnGreeting();
 /// Returns what it sends next: the names under which it will ping `sender`.

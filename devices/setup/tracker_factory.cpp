@@ -9,7 +9,11 @@
 
 #include "devices/network/dtrack_tracker.h"
 #include "devices/network/natnet_tracker.h"
+#include "devices/network/osc_tracker.h"
+#include "devices/network/qtm_tracker.h"
 #include "devices/network/vrpn_tracker.h"
+#include "devices/programs/survive_tracker.h"
+#include "devices/programs/trackd_tracker.h"
 #include "devices/tracker/recorded_tracker.h"
 #include "devices/tracker/simulated_tracker.h"
 #include "devices/tracker/trace.h"
@@ -52,6 +56,20 @@ Transport makeDtrack(const TrackerSetup& setup, const RoomAxes&) {
 Transport makeNatnet(const TrackerSetup& setup, const RoomAxes&) {
   return natnetTransport(readNatnetSource(setup.source.string()));
 }
+Transport makeQtm(const TrackerSetup& setup, const RoomAxes&) {
+  return qtmTransport(readQtmServer(setup.source.string()), setup.names);
+}
+Transport makeTrackd(const TrackerSetup& setup, const RoomAxes&) {
+  return trackdTransport(readTrackdSource(setup.source.string()), setup.unit_m);
+}
+Transport makeSurvive(const TrackerSetup& setup, const RoomAxes&) {
+  return surviveTransport(
+      setup.source.empty() ? std::nullopt : std::optional(readSurviveServer(setup.source.string())),
+      setup.names);
+}
+Transport makeOsc(const TrackerSetup& setup, const RoomAxes&) {
+  return oscTransport(readOscSource(setup.source.string()), setup.osc);
+}
 Transport makePolhemus(const TrackerSetup& setup, const RoomAxes&) {
   return polhemusTransport(usbAddress(setup.source.string()));
 }
@@ -63,15 +81,36 @@ Transport makeSpaceMouse(const TrackerSetup& setup, const RoomAxes&) {
                                                   : std::optional(usbAddress(setup.source.string())));
 }
 
-constexpr std::array kRows{TrackerRow{TrackerKind::simulated, "simulated", true, nullptr},
-                           TrackerRow{TrackerKind::recorded, "recorded", true, nullptr},
-                           TrackerRow{TrackerKind::vrpn, "vrpn", true, makeVrpn},
-                           TrackerRow{TrackerKind::dtrack, "dtrack", true, makeDtrack},
-                           TrackerRow{TrackerKind::natnet, "natnet", true, makeNatnet},
-                           TrackerRow{TrackerKind::polhemusUsb, "polhemus-usb", true, makePolhemus},
-                           TrackerRow{TrackerKind::hidImu, "hid-imu", true, makeHidImu},
-                           TrackerRow{TrackerKind::spaceMouse, "spacemouse", true, makeSpaceMouse},
-                           TrackerRow{TrackerKind::headset, "headset", false, nullptr}};
+using Kind = TrackerKind;
+using Source = SourceUse;
+constexpr std::array kRows{
+    TrackerRow{Kind::simulated, "simulated", true, Source::none, "person", nullptr},
+    TrackerRow{Kind::recorded, "recorded", true, Source::trace, "", nullptr},
+    TrackerRow{Kind::vrpn, "vrpn", true, Source::address, "", makeVrpn},
+    TrackerRow{Kind::dtrack, "dtrack", true, Source::address, "start", makeDtrack},
+    TrackerRow{Kind::natnet, "natnet", true, Source::address, "", makeNatnet},
+    TrackerRow{Kind::qtm, "qtm", true, Source::address, "names", makeQtm},
+    TrackerRow{Kind::trackd, "trackd", true, Source::address, "unit", makeTrackd},
+    TrackerRow{Kind::survive, "survive", true, Source::maybeAddress, "names", makeSurvive},
+    TrackerRow{Kind::osc, "osc", true, Source::address, "osc", makeOsc},
+    TrackerRow{Kind::polhemusUsb, "polhemus-usb", true, Source::address, "", makePolhemus},
+    TrackerRow{Kind::hidImu, "hid-imu", true, Source::address, "", makeHidImu},
+    TrackerRow{Kind::spaceMouse, "spacemouse", true, Source::maybeAddress, "", makeSpaceMouse},
+    TrackerRow{Kind::headset, "headset", false, Source::none, "", nullptr}};
+
+/// Whether a tracker may send nothing until it is touched.
+bool saysNothingAtRest(const TrackerSetup& setup) {
+  switch (setup.kind) {
+    case Kind::spaceMouse:
+      return true;
+    case Kind::vrpn:
+      return setup.buttonsAlone;
+    case Kind::osc:
+      return setup.buttonsAlone || !setup.osc.pose;
+    default:
+      return false;
+  }
+}
 
 }  // namespace
 
@@ -106,12 +145,9 @@ std::unique_ptr<Tracker> createTracker(const TrackerSetup& setup, const RoomAxes
   }
   if (setup.kind == TrackerKind::headset) return std::make_unique<UnfollowedHeadset>();
   Transport transport = rowOf(setup.kind).make(setup, axes);
-  const bool saysNothingAtRest =
-      setup.kind == TrackerKind::spaceMouse || (setup.kind == TrackerKind::vrpn && setup.buttonsAlone);
-  if (!saysNothingAtRest) {
+  if (!saysNothingAtRest(setup)) {
     return std::make_unique<DeviceTracker>(std::move(transport), sessionStart);
   }
-  // It may send nothing until it is touched.
   constexpr double kNeverSilent_s = std::numeric_limits<double>::infinity();
   return std::make_unique<DeviceTracker>(std::move(transport), sessionStart, kNeverSilent_s);
 }

@@ -16,11 +16,22 @@ namespace carom {
 /// Whether the kind is a device, whose samples arrive in real time and differ in every run.
 bool isDevice(TrackerKind kind);
 
+/// What the source of a kind is.
+enum class SourceUse {
+  none,
+  trace,         ///< a file
+  address,       ///< of a device
+  maybeAddress,  ///< the same; the device is found without one, too
+};
+
 /// A kind of tracker, registered: a new kind is a row of trackerRows().
 struct TrackerRow {
   TrackerKind kind;
   std::string_view name;  ///< in rig files
   bool isInRigs;          ///< a [[tracker]] may be of this kind
+  SourceUse source;
+  std::string_view
+      ownKey;  ///< the key that a [[tracker]] has for this kind (and perhaps others); empty: none
   /// Returns the transport that listens to the device that the setup's source names. Throws
   /// std::invalid_argument, which says the fault and the expectation, if it names none of this kind. Null:
   /// the kind has no transport.

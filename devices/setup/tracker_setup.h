@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "devices/protocol/osc_mapping.h"
 #include "engine/base/pose.h"
 
 namespace carom {
@@ -16,6 +18,10 @@ enum class TrackerKind {
   vrpn,
   dtrack,
   natnet,
+  qtm,
+  trackd,
+  survive,
+  osc,
   polhemusUsb,
   hidImu,
   spaceMouse,  ///< buttons and axes, no poses
@@ -39,6 +45,10 @@ struct TrackerSetup {
   std::uint64_t seed = 1;        ///< of a simulated tracker: people with different seeds walk differently
   std::filesystem::path source;  ///< recorded tracker: the trace, which exists. Device: its address
   bool start = false;            ///< for DTRACK: the session starts and stops the measurement
+  double unit_m = 1.0;           ///< for trackd: of the lengths that its daemon writes
+  /// For QTM and libsurvive: the names of sensors 0, 1, …; empty: all that they have, in their order.
+  std::vector<std::string> names{};
+  OscMapping osc{};  ///< for OSC: which of its messages are what
   Pose roomFromTracker;
   bool buttonsAlone = false;  ///< the rig uses only the buttons, for the hand
 };

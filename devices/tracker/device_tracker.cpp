@@ -67,6 +67,10 @@ struct DeviceTracker::Shared final : DeviceSink {
   void deliver(std::span<const Reading> readings, std::chrono::steady_clock::time_point arrival) override;
   void connected() override;
   void remark(const std::string& what) override { become(Link::up, what); }
+  void named(const std::string& what) override {
+    const std::lock_guard lock(messageMutex);
+    names = what;
+  }
   void disconnected(const std::string& why) override { become(Link::down, why); }
   void failed(const std::string& why) override { become(Link::failed, why); }
   void refused() override { ++refusedCount; }
@@ -105,6 +109,7 @@ struct DeviceTracker::Shared final : DeviceSink {
   mutable std::mutex messageMutex;
   Link link = Link::down;  // with the mutex
   std::string message;     // with the mutex
+  std::string names;       // with the mutex
 
   std::vector<Reading> inputs;  // the frame's thread alone
   std::jthread thread;          // the last member: it ends before the rest goes
@@ -247,6 +252,7 @@ TrackerHealth DeviceTracker::health(double now_s) const {
   health.reconnections = shared_->reconnections;
   const std::lock_guard lock(shared_->messageMutex);
   health.message = shared_->message;
+  health.names = shared_->names;
   health.state = shared_->stateAt(now_s);
   health.connected = shared_->link == Shared::Link::up;
   if (health.connected && health.message.empty() && shared_->clockStands) {

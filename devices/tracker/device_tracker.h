@@ -23,6 +23,7 @@ class DeviceSink {
   virtual void deliver(std::span<const Reading> readings, std::chrono::steady_clock::time_point arrival) = 0;
   virtual void connected() = 0;
   virtual void remark(const std::string& /*what*/) {}     ///< connected, but something needs to be known
+  virtual void named(const std::string& /*names*/) {}     ///< what the device calls its sensors, in words
   virtual void disconnected(const std::string& why) = 0;  ///< the transport will try again
   virtual void failed(const std::string& why) = 0;        ///< needs help: the fault and its remedy
   virtual void refused() = 0;                             ///< a packet could not be read

@@ -41,6 +41,7 @@ struct TrackerHealth {
   State state = State::connecting;
   std::string message;           ///< one line, empty while all is well
   bool connected = false;        ///< while `connecting`: there is a connection, but nothing has arrived yet
+  std::string names;             ///< what the device calls its sensors, in words; empty if it says nothing
   std::uint64_t samples = 0;     ///< delivered
   std::uint64_t gaps = 0;        ///< samples that the device numbered and that never arrived
   std::uint64_t late = 0;        ///< arrived after a later one (dropped), or after over 50 ms (counted)

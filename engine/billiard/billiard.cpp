@@ -55,7 +55,8 @@ Billiard::Billiard(const BilliardSetup& setup) {
   setup_ = setup;
   history_ = std::make_unique<GameHistory>(setup_);
   game_ = std::make_unique<CollisionScheduler>(setup_);
-  if (hasSoft(setup_)) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
+  softRows_ = std::make_unique<SoftRowBook>();
+  if (hasSoft(setup_)) beginSoft();
   reported_.assign(setup_.pucks.size(), 1);
   nextSnapshot_ = betweenSnapshots(setup_);
 }
@@ -63,6 +64,16 @@ Billiard::Billiard(const BilliardSetup& setup) {
 Billiard::~Billiard() = default;
 Billiard::Billiard(Billiard&&) noexcept = default;
 Billiard& Billiard::operator=(Billiard&&) noexcept = default;
+
+void Billiard::beginSoft() {
+  soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_, *softRows_);
+  if (playsAhead_) soft_->playAhead();
+}
+
+void Billiard::playAhead() {
+  playsAhead_ = true;
+  if (soft_) soft_->playAhead();
+}
 
 void Billiard::advanceTo(double t_s) {
   if (!(t_s > advancedTo_s_)) return;
@@ -74,11 +85,13 @@ void Billiard::advanceTo(double t_s) {
     truncatedFrom_s_ = changed_s;
 }
 
-// Slices are played as a whole, so that what is committed does not depend on the times advanced to.
+// Slices are played as a whole, so that the commitments do not depend on the times advanced to.
 void Billiard::playSoft() {
   constexpr double kBetween = 0.02;  // metres of light, between the points to which the game can return
   const auto limit = [&] {
-    return advancedTo_s_ * setup_.lightSpeed_m_s + game_->rollbackWindow() + SoftPlay::kSlice;
+    // As far ahead as rows can be apart, too.
+    return advancedTo_s_ * setup_.lightSpeed_m_s + std::max(game_->rollbackWindow(), RowRecorder::kLongest) +
+           SoftPlay::kSlice;
   };
   while (soft_->time() < limit()) {
     if (snapshots_.empty() ? soft_->time() > 0.0 : soft_->time() - snapshots_.back().time >= kBetween)
@@ -188,7 +201,7 @@ void Billiard::rewind(double t_s) {
     game_ = std::make_unique<CollisionScheduler>(setup_);
     game_->restore(*history_);
     history_->keepEvents(0);
-    if (soft_) soft_ = std::make_unique<SoftGame>(setup_, *game_, *history_);
+    if (soft_) beginSoft();
     nextSnapshot_ = betweenSnapshots(setup_);
   } else {
     const Snapshot& from = snapshots_.back();
@@ -264,6 +277,7 @@ Ledger Billiard::ledger() const {
 SoftMoment Billiard::softAt(double t_s, std::span<const SoftPoint> points) const {
   return soft_ ? soft_->at(t_s, points) : SoftMoment{};
 }
+void Billiard::takeSoftRows(SoftRows& rows) { softRows_->take(rows); }
 std::vector<FrozenPuck> Billiard::frozen() const {
   return soft_ ? soft_->frozen() : std::vector<FrozenPuck>{};
 }

@@ -18,6 +18,8 @@ namespace carom {
 class CollisionScheduler;
 class GameHistory;
 class SoftGame;
+class SoftRowBook;
+struct SoftRows;
 
 /// Plays the game ahead: finds every contact before it happens (puck_contact.h, cushion_contact.h), commits
 /// its outcome (kick.h) and delivers the new legs of the world lines.
@@ -105,6 +107,10 @@ class Billiard {
   /// are a little later. The commitments do not depend on the steps in which one advances.
   void advanceTo(double t_s);
 
+  /// Plays the soft pucks ahead of what is asked for, on a thread of its own: results are the same, bit for
+  /// bit.
+  void playAhead();
+
   /// Adds a stroke. Everything at or after its arrival is discarded and computed anew, up to the same
   /// board time. What does not depend on the stroke keeps its bits: everything outside the future of the
   /// arrival but for what follows from turns that do not wait for light, those of kicks without delay and
@@ -127,6 +133,9 @@ class Billiard {
   /// Returns the soft pucks at a board time not before that of the last call of `advanceTo` but one, and not
   /// after the last; with these points of theirs.
   SoftMoment softAt(double t_s, std::span<const SoftPoint> points = {}) const;
+  /// Moves the rows of the soft pucks that have been played since the last call into `rows`, whose memory is
+  /// used again (engine/billiard/soft_row_book.h).
+  void takeSoftRows(SoftRows& rows);
   std::vector<FrozenPuck> frozen() const;
   std::span<const JamNote> jams() const;
 
@@ -137,6 +146,7 @@ class Billiard {
  private:
   void play();
   void playSoft();
+  void beginSoft();
   void rewind(double t_s);
   void keepSnapshot();
   void noteChanges(const std::vector<std::vector<Knot>>& before);
@@ -147,7 +157,9 @@ class Billiard {
   BilliardSetup setup_;
   std::unique_ptr<GameHistory> history_;
   std::unique_ptr<CollisionScheduler> game_;
-  std::unique_ptr<SoftGame> soft_;   // none without soft pucks
+  std::unique_ptr<SoftRowBook> softRows_;
+  std::unique_ptr<SoftGame> soft_;  // none without soft pucks
+  bool playsAhead_ = false;
   std::vector<Snapshot> snapshots_;  // in the order of time
   std::size_t nextSnapshot_ = 64;    // the number of events at which the next one is kept
   double advancedTo_s_ = 0.0;

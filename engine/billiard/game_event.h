@@ -20,20 +20,40 @@ using Vec2 = glm::dvec2;
 /// each other (see `Billiard`). Each of them has an event of its own, all with the same contact; momentum
 /// balances over all of them.
 /// The first touch of a soft puck and a cushion is a `softCushion`, that of two soft ones a `softSoft`; their
-/// turns name the pucks, and change nothing.
-enum class EventKind : std::uint8_t { puckPuck, puckCushion, stroke, flash, jam, softCushion, softSoft };
-inline constexpr EventKind kLastEventKind = EventKind::softSoft;
+/// turns name the pucks, and change nothing. `parted` is the last touch of such a collision, with its heat;
+/// it is listed once they have not touched for as long as sound needs to cross the slower one. `farSide` is
+/// the moment at which the far side of a soft puck hears of a touch, of a stroke, or of what holds it.
+enum class EventKind : std::uint8_t {
+  puckPuck,
+  puckCushion,
+  stroke,
+  flash,
+  jam,
+  softCushion,
+  softSoft,
+  parted,
+  farSide
+};
+inline constexpr EventKind kLastEventKind = EventKind::farSide;
 enum class Cushion : std::uint8_t { plusX, minusX, plusY, minusY };
 
 /// Returns the name that files and tables use.
 constexpr std::string_view nameOf(EventKind kind) {
-  constexpr std::array<std::string_view, 7> kNames{"puck-puck", "puck-cushion", "stroke",   "flash",
-                                                   "jam",       "soft-cushion", "soft-soft"};
+  constexpr std::array<std::string_view, 9> kNames{"puck-puck",    "puck-cushion", "stroke", "flash",   "jam",
+                                                   "soft-cushion", "soft-soft",    "parted", "far-side"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 constexpr std::string_view nameOf(Cushion cushion) {
   constexpr std::array<std::string_view, 4> kNames{"+x", "-x", "+y", "-y"};
   return kNames[static_cast<std::size_t>(cushion)];
+}
+
+/// Whether two pucks meet, rigid or soft; whether one meets a cushion.
+constexpr bool isOfPucks(EventKind kind) {
+  return kind == EventKind::puckPuck || kind == EventKind::softSoft;
+}
+constexpr bool isOfCushion(EventKind kind) {
+  return kind == EventKind::puckCushion || kind == EventKind::softCushion;
 }
 
 /// The change of motion of a puck's centre. Board frame.
@@ -70,7 +90,8 @@ struct GameEvent {
   std::uint64_t number = 0;  ///< from 0, in the order of commitment
   EventKind kind = EventKind::flash;
   std::optional<Cushion> cushion;  ///< of a collision with a cushion
-  /// For a stroke or flash: its place in the setup's list; for a soft contact: among these.
+  /// For a stroke or flash: its place in the setup's list; for a soft contact and its parting: among the
+  /// contacts.
   std::uint32_t which = 0;
   /// The contact; the hand's stroke or, if the hand has no place, its arrival at the centre; the flash.
   Event at;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t kFewPucks = 256;  // whose world lines' ends lie in the caches
 // Memory that is used for the first time costs time. Of many pucks it is taken in advance for about four
-// collisions a puck: so many events, and bytes of knots. The list of events has addresses for what a session
-// keeps that forgets what is past, so that it need not be moved.
+// collisions a puck: that number of events, and bytes of knots. The list of events has addresses for what a
+// session keeps that forgets what is past, so that it need not be moved.
 constexpr std::size_t kBoughtEvents = 4, kBoughtBytes = 1100;
 constexpr std::size_t kAddressesPerPuck = 32, kMostAddresses = std::size_t{1} << 24;
 // Of more pucks, at most this number of legs wait.
@@ -131,15 +131,12 @@ std::uint64_t GameHistory::addStroke(std::uint32_t stroke, const Vec21& at, doub
   return event.number;
 }
 
-std::uint64_t GameHistory::addSoftContact(std::optional<Cushion> cushion, const Vec21& contact,
-                                          std::span<const std::size_t> pucks,
-                                          std::span<const LegState> states, std::uint32_t which) {
-  GameEvent& event = add(cushion ? EventKind::softCushion : EventKind::softSoft, eventOf(pucks[0], contact));
-  event.cushion = cushion;
-  event.which = which;
+GameEvent& GameHistory::addSoft(EventKind kind, const Vec21& at, std::span<const std::size_t> pucks,
+                                std::span<const LegState> states) {
+  GameEvent& event = add(kind, eventOf(pucks[0], at));
   for (std::size_t k = 0; k < pucks.size(); ++k)
     event.turns.push_back(turnOf(pucks[k], states[k], states[k].u, {}));
-  return event.number;
+  return event;
 }
 
 std::uint64_t GameHistory::addFlash(std::uint32_t flash, const Event& at) {

@@ -46,10 +46,10 @@ class GameHistory {
   std::uint64_t addJam(const Vec21& contact, double heat_j);
   /// Adds a stroke of the setup, at the hand or at the centre, `height_m` above the cloth.
   std::uint64_t addStroke(std::uint32_t stroke, const Vec21& at, double height_m);
-  /// Adds the first touch of soft pucks, or of one and a cushion, at the height of the first.
-  std::uint64_t addSoftContact(std::optional<Cushion> cushion, const Vec21& contact,
-                               std::span<const std::size_t> pucks, std::span<const LegState> states,
-                               std::uint32_t which);
+  /// Adds an event of soft pucks, whose centres go on in these states, at the height of the first. It comes
+  /// without cushion, heat, or place in a list.
+  GameEvent& addSoft(EventKind kind, const Vec21& at, std::span<const std::size_t> pucks,
+                     std::span<const LegState> states);
   std::uint64_t addFlash(std::uint32_t flash, const Event& at);
   void addTurn(std::uint64_t event, std::size_t puck, const LegState& before, const Vec21& uAfter,
                const TurnedSpin& spin);

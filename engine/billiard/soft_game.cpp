@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -15,14 +16,17 @@ struct SoftGame::Snapshot {
   std::vector<std::optional<Body>> bodies;
   std::vector<std::size_t> puckOf;
   std::vector<Given> given;
-  std::size_t listed = 0;
+  Listed listed;
   std::vector<std::size_t> legs;  // of the soft pucks' world lines, by their number in the play
+  SoftRowBook::Snapshot rows;
 };
 
 namespace {
 
 constexpr int kStiffCells = 10;
 constexpr double kStiffViscosity = 0.3;
+// Where a told body crushes what it holds, the centre of energy can jump. Its leg follows as fast as this.
+constexpr double kFastest = 0.99;
 constexpr double kOffLine = 1e-7;  // by which a centre may be beside its leg, metres
 
 std::vector<SoftCushion> softCushions(const std::optional<Board>& board) {
@@ -48,15 +52,19 @@ std::vector<SoftHold> holdsOf(const SoftMatter& matter, double c_m_s) {
 
 }  // namespace
 
-SoftMesh softMeshOf(const Puck& puck) { return meshOf(puck, puck.soft->cells); }
+SoftMesh softMeshOf(const Puck& puck) { return meshOf(puck, puck.soft ? puck.soft->cells : kStiffCells); }
 
-SoftGame::SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history)
+SoftGame::SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history,
+                   SoftRowBook& rows)
     : c_m_s_(setup.lightSpeed_m_s),
       stiffSound_(setup.rules.stiffSoundSpeed),
       pucks_(setup.pucks),
       strokes_(setup.strokes),
       play_(softCushions(setup.board)),
+      rows_(&rows),
       bodies_(setup.pucks.size()) {
+  rows.begin();
+  play_.watch([this](std::size_t body, double) { rows_->step(body, play_); });
   std::vector<std::size_t> soft;
   for (std::size_t i = 0; i < pucks_.size(); ++i) {
     if (pucks_[i].soft) soft.push_back(i);
@@ -65,24 +73,27 @@ SoftGame::SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHi
             [&](std::size_t a, std::size_t b) { return pucks_[a].name < pucks_[b].name; });
   for (const std::size_t puck : soft) {
     const CollisionScheduler::Withdrawn was = rigid.withdraw(puck, 0.0, history);
-    enter(puck, was.state.x, was.u, 0.0, *pucks_[puck].soft, {});
+    enter(puck, was, 0.0, *pucks_[puck].soft, nullptr);
     for (const std::size_t stroke : was.strokes) addStroke(stroke, strokes_[stroke]);
   }
 }
 
-void SoftGame::enter(std::size_t puck, const Vec21& start, const Vec21& u, double clock,
-                     const SoftMatter& matter, std::optional<double> becameSoft) {
+void SoftGame::enter(std::size_t puck, const CollisionScheduler::Withdrawn& was, double clock,
+                     const SoftMatter& matter, const WorldLine* rigidLine) {
   const Puck& of = pucks_[puck];
-  bodies_[puck] = Body{puckOf_.size(), becameSoft};
+  isNews_ = true;
+  const Vec21& start = was.state.x;
+  bodies_[puck] = Body{puckOf_.size(), rigidLine ? std::optional(time() / c_m_s_) : std::nullopt};
   puckOf_.push_back(puck);
   play_.add({of.name,
              std::make_shared<const SoftMesh>(meshOf(of, matter.cells)),
              {matter.soundSpeed, matter.viscosity},
              of.mass_kg,
              {start.x, start.y},
-             u,
+             was.u,
              clock,
              holdsOf(matter, c_m_s_)});
+  rows_->enter(puck, play_, rigidLine, of.height_m);
 }
 
 void SoftGame::addStroke(std::size_t stroke, const Stroke& told) {
@@ -99,6 +110,7 @@ void SoftGame::addStroke(std::size_t stroke, const Stroke& told) {
   soft.momentum = told.momentum_kg_m_s / c_m_s_;
   given_.push_back({stroke, false});
   play_.addStroke(soft);
+  isNews_ = true;
 }
 
 void SoftGame::takeInReach(CollisionScheduler& rigid, GameHistory& history) {
@@ -118,8 +130,8 @@ void SoftGame::takeInReach(CollisionScheduler& rigid, GameHistory& history) {
     for (const std::size_t k : reached) {
       const std::size_t puck = pucks[k];
       const CollisionScheduler::Withdrawn was = rigid.withdraw(puck, time(), history);
-      enter(puck, was.state.x, was.u, was.state.properTime, {stiffSound_, kStiffCells, kStiffViscosity},
-            time() / c_m_s_);
+      enter(puck, was, was.state.properTime, {stiffSound_, kStiffCells, kStiffViscosity},
+            &history.worldLines()[puck]);
       for (const std::size_t stroke : was.strokes) addStroke(stroke, strokes_[stroke]);
     }
   }
@@ -130,7 +142,15 @@ void SoftGame::playSlice(CollisionScheduler& rigid, GameHistory& history) {
   rigid.playUntil(from, std::numeric_limits<std::size_t>::max(), history);
   takeInReach(rigid, history);
   recent_.emplace_back(from, play_.snapshot());
-  play_.playSlice();
+  if (ahead_) {
+    if (std::exchange(isNews_, false)) ahead_->start({recent_.back().second, rows_->snapshot(from), {}});
+    const SoftAhead::Slice slice = ahead_->take();
+    play_.restore(*slice.play);
+    rows_->follow(slice.recorders, slice.rows);
+  } else {
+    play_.playSlice();
+    rows_->endSlice(play_);
+  }
   writeLegs(from, history);
   listEvents(history);
 }
@@ -151,7 +171,9 @@ void SoftGame::writeLegs(double from, GameHistory& history) {
     const LegState expected = centreAt(puck, time(), history);
     if (glm::length(centre - glm::dvec2(expected.x.x, expected.x.y)) <= kOffLine) continue;
     const LegState start = centreAt(puck, from, history);
-    const glm::dvec2 beta = (centre - glm::dvec2(start.x.x, start.x.y)) / (time() - from);
+    glm::dvec2 beta = (centre - glm::dvec2(start.x.x, start.x.y)) / (time() - from);
+    const double speed = glm::length(beta);
+    if (speed > kFastest) beta *= kFastest / speed;
     const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
     history.addLeg(puck, {start.x, {gamma, gamma * beta.x, gamma * beta.y}, start.properTime}, {}, start.x);
   }
@@ -160,41 +182,64 @@ void SoftGame::writeLegs(double from, GameHistory& history) {
 void SoftGame::listEvents(GameHistory& history) {
   struct New {
     double time;
-    bool isStroke;
-    std::size_t number;
+    std::function<void()> list;
   };
   std::vector<New> events;
-  for (std::size_t k = 0; k < given_.size(); ++k) {
-    if (given_[k].isListed || !play_.strokeBegan(k)) continue;
-    given_[k].isListed = true;
-    events.push_back({*play_.strokeBegan(k), true, k});
+  for (Given& given : given_) {
+    const std::optional<double> began = play_.strokeBegan(static_cast<std::size_t>(&given - given_.data()));
+    if (std::exchange(given.isListed, began.has_value()) || !began) continue;
+    events.push_back({*began, [&, began] { listStroke(given.stroke, *began, history); }});
   }
-  for (; listed_ < play_.collisions().size(); ++listed_)
-    events.push_back({play_.collisions()[listed_].contact.t, false, listed_});
+  for (; listed_.contacts < play_.collisions().size(); ++listed_.contacts) {
+    const std::size_t number = listed_.contacts;
+    events.push_back(
+        {play_.collisions()[number].contact.t, [&, number] { listTouch(number, false, history); }});
+  }
+  for (const std::size_t number : play_.parted().subspan(listed_.parted))
+    events.push_back(
+        {play_.collisions()[number].lastTouch, [&, number] { listTouch(number, true, history); }});
+  listed_.parted = play_.parted().size();
+  for (const FarSides::Heard& heard : play_.heard().subspan(listed_.heard)) {
+    events.push_back({heard.event.t, [&, heard] {
+                        const std::size_t puck = puckOf_[heard.body];
+                        const LegState state = centreAt(puck, heard.event.t, history);
+                        history.addSoft(EventKind::farSide, heard.event, {&puck, 1}, {&state, 1});
+                      }});
+  }
+  listed_.heard = play_.heard().size();
   std::stable_sort(events.begin(), events.end(), [](const New& a, const New& b) { return a.time < b.time; });
-  for (const New& event : events) {
-    if (event.isStroke) {
-      const std::size_t number = given_[event.number].stroke;
-      const Stroke& stroke = strokes_[number];
-      const LegState centre = centreAt(stroke.puck, event.time, history);
-      const double c = c_m_s_, height_m = 0.5 * pucks_[stroke.puck].height_m;
-      const Vec21 hand =
-          stroke.from_m ? Vec21{stroke.at_s * c, stroke.from_m->x, stroke.from_m->y} : centre.x;
-      const std::uint64_t listed = history.addStroke(static_cast<std::uint32_t>(number), hand,
-                                                     stroke.from_m ? stroke.from_m->z : height_m);
-      history.addTurn(listed, stroke.puck, centre, centre.u, {});
-      continue;
-    }
-    const SoftCollision& collision = play_.collisions()[event.number];
-    const bool isPair = collision.other != SoftExchange::kNone;
-    std::vector<std::size_t> pucks{puckOf_[collision.body]};
-    if (isPair) pucks.push_back(puckOf_[collision.other]);
-    std::vector<LegState> states;
-    for (const std::size_t puck : pucks) states.push_back(centreAt(puck, event.time, history));
-    const auto cushion = isPair ? std::nullopt : std::optional(static_cast<Cushion>(collision.cushion));
-    history.addSoftContact(cushion, collision.contact, pucks, states,
-                           static_cast<std::uint32_t>(event.number));
-  }
+  for (const New& event : events) event.list();
+}
+
+void SoftGame::listStroke(std::size_t number, double began, GameHistory& history) {
+  const Stroke& stroke = strokes_[number];
+  const LegState centre = centreAt(stroke.puck, began, history);
+  const double c = c_m_s_, height_m = 0.5 * pucks_[stroke.puck].height_m;
+  const Vec21 hand = stroke.from_m ? Vec21{stroke.at_s * c, stroke.from_m->x, stroke.from_m->y} : centre.x;
+  const std::uint64_t listed = history.addStroke(static_cast<std::uint32_t>(number), hand,
+                                                 stroke.from_m ? stroke.from_m->z : height_m);
+  history.addTurn(listed, stroke.puck, centre, centre.u, {});
+}
+
+void SoftGame::listTouch(std::size_t number, bool isLast, GameHistory& history) {
+  const SoftCollision& collision = play_.collisions()[number];
+  const bool isPair = collision.other != SoftExchange::kNone;
+  const Vec21 last{collision.lastTouch, collision.lastPlace.x, collision.lastPlace.y};
+  const Vec21& at = isLast ? last : collision.contact;
+  std::vector<std::size_t> pucks{puckOf_[collision.body]};
+  if (isPair) pucks.push_back(puckOf_[collision.other]);
+  std::vector<LegState> states;
+  for (const std::size_t puck : pucks) states.push_back(centreAt(puck, at.t, history));
+  const EventKind touch = isPair ? EventKind::softSoft : EventKind::softCushion;
+  GameEvent& event = history.addSoft(isLast ? EventKind::parted : touch, at, pucks, states);
+  if (!isPair) event.cushion = static_cast<Cushion>(collision.cushion);
+  event.which = static_cast<std::uint32_t>(number);
+  if (isLast) event.heat_j = collision.heat() * c_m_s_ * c_m_s_;
+}
+
+void SoftGame::playAhead() {
+  ahead_ = std::make_unique<SoftAhead>(play_.cushions());
+  isNews_ = true;
 }
 
 void SoftGame::addTo(Ledger& ledger) const {
@@ -250,7 +295,8 @@ SoftContactState SoftGame::contactState(const SoftCollision& collision) const {
 // The play returns to the start of the slice, goes on to the time that is asked for, and comes back.
 SoftMoment SoftGame::at(double t_s, std::span<const SoftPoint> points) {
   const double t = t_s * c_m_s_;
-  const auto present = play_.snapshot();
+  const auto present = play_.wholeSnapshot();
+  rows_->listen(false);
   const auto after = std::upper_bound(recent_.begin(), recent_.end(), t,
                                       [](double time, const auto& one) { return time < one.first; });
   if (after != recent_.begin()) {
@@ -273,6 +319,7 @@ SoftMoment SoftGame::at(double t_s, std::span<const SoftPoint> points) {
              play_.clock(number, inside) / c_m_s_};
   }
   play_.restore(*present);
+  rows_->listen(true);
   return moment;
 }
 
@@ -288,16 +335,19 @@ std::shared_ptr<const SoftGame::Snapshot> SoftGame::snapshot(GameHistory& histor
   kept->puckOf = puckOf_;
   kept->given = given_;
   kept->listed = listed_;
+  kept->rows = rows_->snapshot(time());
   for (const std::size_t puck : puckOf_) kept->legs.push_back(history.legs(puck));
   return kept;
 }
 
 void SoftGame::restore(const Snapshot& snapshot, GameHistory& history) {
   play_.restore(*snapshot.play);
+  isNews_ = true;
   bodies_ = snapshot.bodies;
   puckOf_ = snapshot.puckOf;
   given_ = snapshot.given;
   listed_ = snapshot.listed;
+  rows_->restore(snapshot.rows);
   for (std::size_t k = 0; k < puckOf_.size(); ++k) history.keepLegs(puckOf_[k], snapshot.legs[k]);
   while (!recent_.empty() && recent_.back().first >= snapshot.time) recent_.pop_back();
 }

@@ -17,6 +17,8 @@
 #include "engine/billiard/billiard_setup.h"
 #include "engine/billiard/collision_scheduler.h"
 #include "engine/billiard/game_history.h"
+#include "engine/billiard/soft_ahead.h"
+#include "engine/billiard/soft_row_book.h"
 #include "engine/billiard/soft_state.h"
 #include "engine/soft/soft_play.h"
 
@@ -24,8 +26,11 @@ namespace carom {
 
 class SoftGame {
  public:
-  /// Takes the soft pucks of the setup out of the rigid game.
-  SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history);
+  /// Takes the soft pucks of the setup out of the rigid game. Their rows go into `rows`, which begins anew
+  /// and must outlive the game.
+  SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history, SoftRowBook& rows);
+  SoftGame(const SoftGame&) = delete;
+  SoftGame& operator=(const SoftGame&) = delete;
 
   /// Returns the board time (c t, metres) to which the soft pucks are played.
   double time() const { return play_.time(); }
@@ -33,6 +38,8 @@ class SoftGame {
   void playSlice(CollisionScheduler& rigid, GameHistory& history);
   /// Adds the stroke with this place in the setup, if its puck is soft already.
   void addStroke(std::size_t stroke, const Stroke& told);
+  /// Has the slices to come played by a thread of their own, from now on (engine/billiard/soft_ahead.h).
+  void playAhead();
   bool isSoft(std::size_t puck) const { return bodies_[puck].has_value(); }
 
   void addTo(Ledger& ledger) const;
@@ -57,11 +64,18 @@ class SoftGame {
     bool isListed = false;
   };
 
-  void enter(std::size_t puck, const Vec21& start, const Vec21& u, double clock, const SoftMatter& matter,
-             std::optional<double> becameSoft);
+  // How many of the play's happenings are among the game's events.
+  struct Listed {
+    std::size_t contacts = 0, parted = 0, heard = 0;
+  };
+
+  void enter(std::size_t puck, const CollisionScheduler::Withdrawn& was, double clock,
+             const SoftMatter& matter, const WorldLine* rigidLine);
   void takeInReach(CollisionScheduler& rigid, GameHistory& history);
   void writeLegs(double from, GameHistory& history);
   void listEvents(GameHistory& history);
+  void listStroke(std::size_t number, double began, GameHistory& history);
+  void listTouch(std::size_t number, bool isLast, GameHistory& history);
   LegState centreAt(std::size_t puck, double t, GameHistory& history) const;
   SoftPuckState stateOf(std::size_t puck) const;
   SoftContactState contactState(const SoftCollision& collision) const;
@@ -71,10 +85,13 @@ class SoftGame {
   std::vector<Puck> pucks_;
   std::vector<Stroke> strokes_;
   SoftPlay play_;
+  SoftRowBook* rows_;
   std::vector<std::optional<Body>> bodies_;  // by puck
   std::vector<std::size_t> puckOf_;          // by their number in the play
   std::vector<Given> given_;                 // by their number in the play
-  std::size_t listed_ = 0;                   // of the play's collisions
+  Listed listed_;
+  std::unique_ptr<SoftAhead> ahead_;  // none: slices are played where they are asked for
+  bool isNews_ = true;                // the slices played ahead do not know of the present state
   // The starts of slices, for `at`.
   std::deque<std::pair<double, std::shared_ptr<const SoftPlay::Snapshot>>> recent_;
 };

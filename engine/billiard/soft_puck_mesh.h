@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// Returns the mesh of a puck that is soft from the beginning.
+/// Returns the mesh of a puck that is soft from the beginning, or the one that it has when it becomes soft.
 SoftMesh softMeshOf(const Puck& puck);
 
 }  // namespace carom

@@ -22,6 +22,11 @@ class SampledHistory {
 
   std::size_t rowCount() const { return times_s_.size(); }
   std::size_t vertexCount() const { return places_m_.size() / times_s_.size(); }
+  double lightSpeed_m_s() const { return c_m_s_; }
+  double time_s(std::size_t row) const { return times_s_[row]; }
+  const Vec3& place_m(std::size_t row, std::size_t vertex) const {
+    return places_m_[row * vertexCount() + vertex];
+  }
 
   /// Returns the emission event of a vertex; its clock shows 0 at the first row.
   std::optional<Emission> seenAt(std::size_t vertex, const Event& observation,

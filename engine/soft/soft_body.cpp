@@ -99,10 +99,60 @@ CAROM_AVX2 void forcesAvx2(const Arrays& in) { forcesOn(in); }
 CAROM_AVX512 void forcesAvx512(const Arrays& in) { forcesOn(in); }
 
 /// γ/(γ+1) of a velocity: L(v) d = d − this (v·d) v.
-inline double contraction(double vx, double vy) {
+[[gnu::always_inline]] inline double contraction(double vx, double vy) {
   const double root = std::sqrt(1.0 - vx * vx - vy * vy);  // 1/γ
   return 1.0 / (1.0 + root);
 }
+
+/// Returns L⁻¹ F for F on the board.
+inline Deformation seenFrom(const Deformation& board, double vx, double vy) {
+  const double gamma = 1.0 / std::sqrt(1.0 - vx * vx - vy * vy), stretch = gamma * gamma / (gamma + 1.0);
+  const double alongX = stretch * (vx * board.xx + vy * board.yx),
+               alongY = stretch * (vx * board.xy + vy * board.yy);
+  return deformationOf(board.xx + alongX * vx, board.xy + alongY * vx, board.yx + alongX * vy,
+                       board.yy + alongY * vy);
+}
+
+/// Returns the mean velocity of a triangle's corners.
+inline glm::dvec2 meanOf(const std::array<std::vector<int>, 3>& nodes, const SoftBody::State& state,
+                         std::size_t triangle) {
+  glm::dvec2 sum(0.0);
+  for (const std::vector<int>& corner : nodes) {
+    const auto i = static_cast<std::size_t>(corner[triangle]);
+    sum += glm::dvec2(state.vx[i], state.vy[i]);
+  }
+  return (1.0 / 3.0) * sum;
+}
+
+/// What the inversion of the momenta reads and writes, by node.
+struct NodeArrays {
+  std::size_t count;
+  const double *px, *py, *e, *sxx, *sxy, *syy;
+  double *vx, *vy;
+};
+
+/// v = (π + L(v) τ v)/E, from the v that stands there.
+[[gnu::always_inline]] inline void invertOn(const NodeArrays& in) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < in.count; ++i) {
+    const double px = in.px[i], py = in.py[i], sxx = in.sxx[i], sxy = in.sxy[i], syy = in.syy[i];
+    const double inverse = 1.0 / in.e[i];
+    double x = in.vx[i], y = in.vy[i];
+    for (int k = 0; k < kInversions; ++k) {
+      const double wx = sxx * x + sxy * y, wy = sxy * x + syy * y;
+      const double along = contraction(x, y) * (x * wx + y * wy);
+      const double nextX = (px + wx - along * x) * inverse, nextY = (py + wy - along * y) * inverse;
+      x = nextX;
+      y = nextY;
+    }
+    in.vx[i] = x;
+    in.vy[i] = y;
+  }
+}
+
+void invertBaseline(const NodeArrays& in) { invertOn(in); }
+CAROM_AVX2 void invertAvx2(const NodeArrays& in) { invertOn(in); }
+CAROM_AVX512 void invertAvx512(const NodeArrays& in) { invertOn(in); }
 
 }  // namespace
 
@@ -204,18 +254,17 @@ void SoftBody::gatherForces(const std::vector<double>& vx, const std::vector<dou
 
 void SoftBody::invert(const std::vector<double>& px, const std::vector<double>& py,
                       const std::vector<double>& e, std::vector<double>& vx, std::vector<double>& vy) const {
-  const std::size_t count = size();
-  for (std::size_t i = 0; i < count; ++i) {
-    double x = vx[i], y = vy[i];
-    for (int k = 0; k < kInversions; ++k) {
-      const double wx = stressXX_[i] * x + stressXY_[i] * y, wy = stressXY_[i] * x + stressYY_[i] * y;
-      const double along = contraction(x, y) * (x * wx + y * wy);
-      const double nextX = (px[i] + wx - along * x) / e[i], nextY = (py[i] + wy - along * y) / e[i];
-      x = nextX;
-      y = nextY;
-    }
-    vx[i] = x;
-    vy[i] = y;
+  const NodeArrays in{size(),           px.data(),        py.data(), e.data(), stressXX_.data(),
+                      stressXY_.data(), stressYY_.data(), vx.data(), vy.data()};
+  switch (instructions_) {
+    case InstructionSet::avx512:
+      invertAvx512(in);
+      break;
+    case InstructionSet::avx2:
+      invertAvx2(in);
+      break;
+    case InstructionSet::baseline:
+      invertBaseline(in);
   }
 }
 
@@ -230,9 +279,7 @@ SoftBodyDeformation SoftBody::deformationAt(std::size_t triangle, double vx, dou
     yx += state_.y[i] * t.gradientX[k][triangle];
     yy += state_.y[i] * t.gradientY[k][triangle];
   }
-  const double gamma = 1.0 / std::sqrt(1.0 - vx * vx - vy * vy), stretch = gamma * gamma / (gamma + 1.0);
-  const double alongX = stretch * (vx * xx + vy * yx), alongY = stretch * (vx * xy + vy * yy);
-  return deformationOf(xx + alongX * vx, xy + alongY * vx, yx + alongX * vy, yy + alongY * vy);
+  return seenFrom({xx, xy, yx, yy, 0.0, 0.0, 0.0}, vx, vy);
 }
 
 glm::dvec2 SoftBody::meanVelocity() const {
@@ -414,13 +461,8 @@ void SoftBody::endPushes() {
 }
 
 SoftBodyDeformation SoftBody::ownDeformation(std::size_t triangle) const {
-  double vx = 0.0, vy = 0.0;
-  for (const std::vector<int>& nodes : triangles_.node) {
-    const auto i = static_cast<std::size_t>(nodes[triangle]);
-    vx += state_.vx[i] / 3.0;
-    vy += state_.vy[i] / 3.0;
-  }
-  return deformationAt(triangle, vx, vy);
+  const glm::dvec2 mean = meanOf(triangles_.node, state_, triangle);
+  return deformationAt(triangle, mean.x, mean.y);
 }
 
 double SoftBody::elasticEnergy(const SoftBodyDeformation& f, std::size_t triangle) const {
@@ -432,6 +474,26 @@ double SoftBody::heatAndStretchOf(std::size_t i) const {
   const double x = state_.vx[i], y = state_.vy[i];
   const double stress = x * (stressXX_[i] * x + stressXY_[i] * y) + y * (stressXY_[i] * x + stressYY_[i] * y);
   return state_.e[i] * std::sqrt(1.0 - x * x - y * y) + stress - mass_ * mesh_->nodeShare(i);
+}
+
+std::vector<SoftBody::NodeState> SoftBody::nodeStates() const {
+  std::vector<NodeState> states(size());
+  for (std::size_t c = 0; c < triangles_.mass.size(); ++c) {
+    const SoftBodyDeformation f = ownDeformation(c);
+    const double most = f.sum - f.least - 1.0, least = f.least - 1.0;
+    const double strain = most > -least ? most : least, elastic = elasticEnergy(f, c);
+    for (const std::vector<int>& nodes : triangles_.node) {
+      NodeState& state = states[static_cast<std::size_t>(nodes[c])];
+      state.strain += strain * triangles_.mass[c] / 3.0;
+      state.heat -= elastic / 3.0;
+    }
+  }
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double mass = mass_ * mesh_->nodeShare(i);
+    states[i].strain /= mass;
+    states[i].heat = (states[i].heat + heatAndStretchOf(i)) / mass;
+  }
+  return states;
 }
 
 SoftTotals SoftBody::totals() const {
@@ -456,8 +518,10 @@ SoftTotals SoftBody::totals() const {
 SoftSurvey SoftBody::survey() const {
   SoftSurvey survey{true, std::numeric_limits<double>::infinity(), 0.0};
   for (std::size_t c = 0; c < triangles_.mass.size(); ++c) {
-    const Deformation f = ownDeformation(c);
-    const double across = triangles_.altitude[c] * deformationAt(c, 0.0, 0.0).least;
+    const Deformation board = deformationAt(c, 0.0, 0.0);
+    const glm::dvec2 mean = meanOf(triangles_.node, state_, c);
+    const Deformation f = seenFrom(board, mean.x, mean.y);
+    const double across = triangles_.altitude[c] * board.least;
     survey.longestStep = across < survey.longestStep ? across : survey.longestStep;
     survey.isSound = survey.isSound && f.area > kLeastArea;
     survey.heat -= elasticEnergy(f, c);

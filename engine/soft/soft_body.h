@@ -96,6 +96,12 @@ class SoftBody {
   /// Returns the own clock of a place; every node's shows 0 where the body was made.
   double clock(const SoftMesh::Inside& inside) const;
   void setClocks(double clock);
+  /// Of a node: how much longer or shorter than relaxed the matter around it is in the direction of its
+  /// largest deformation, in its own frame; and its heat over the rest energy of its cold matter.
+  struct NodeState {
+    double strain = 0.0, heat = 0.0;
+  };
+  std::vector<NodeState> nodeStates() const;
   /// Returns how the body is turned against its relaxed places: (cos, sin) of the angle that fits best in its
   /// own frame.
   glm::dvec2 turned() const;

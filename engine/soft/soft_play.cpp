@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -38,14 +40,19 @@ struct SoftPlay::Player {
   // By the state: the centre of energy with its velocity, and the circle around it that holds the body.
   glm::dvec2 centre{0.0}, velocity{0.0};
   double reach = 0.0;
+  bool hasStresses = false;  // of the state; a body that has been brought back has not
   // Where the nodes were beside their places when it fell asleep: this fades away in the time R.
   std::vector<glm::dvec2> fade{};
   double fadesFrom = 0.0;
 
   void measure() {
     body.refresh();
+    hasStresses = true;
     centre = body.centre(), velocity = body.meanVelocity();
     reach = isAwake ? body.reachFrom(centre) : entry->mesh->reach_m();
+  }
+  void refresh() {
+    if (!std::exchange(hasStresses, true)) body.refresh();
   }
   double soundTime() const { return 2.0 * entry->mesh->reach_m() / entry->material.soundSpeed; }
   double fadeAt(double time) const {
@@ -68,11 +75,37 @@ struct SoftPlay::Present {
   std::vector<Push> pushes;
   std::vector<SoftCollision> collisions;
   std::size_t settled = 0;  // of them are over
+  std::vector<std::size_t> parted;
+  FarSides farSides;
+  std::vector<FarSides::Heard> heard;
   std::vector<SoftFrozen> frozen;
   glm::dvec2 taken{0.0};
   Vec21 givenByHolders;
+  // How long the lists were, as far as they do not change any more, when the last slice began.
+  struct Lengths {
+    std::size_t collisions = 0, parted = 0, heard = 0, frozen = 0;
+  } before;
 };
 
+namespace {
+
+/// The end of a list that only grows. Where the beginning is not known, something stands in its place.
+template <typename Item>
+struct Tail {
+  Tail(const std::vector<Item>& all, std::size_t from)
+      : first(from), items(all.begin() + static_cast<std::ptrdiff_t>(from), all.end()) {}
+  void restore(std::vector<Item>& all) const {
+    all.resize(first);
+    all.insert(all.end(), items.begin(), items.end());
+  }
+  std::size_t first;
+  std::vector<Item> items;
+};
+
+}  // namespace
+
+// It has the lists from the beginning of its slice on, so that a play at that beginning can go on from it,
+// too; or all of them.
 struct SoftPlay::Snapshot {
   struct State {
     std::shared_ptr<const SoftEntry> entry;
@@ -81,17 +114,41 @@ struct SoftPlay::Snapshot {
     double since, quietSince;
     std::vector<glm::dvec2> fade;
     double fadesFrom;
+    glm::dvec2 centre, velocity;
+    double reach;
   };
+  Snapshot(const Present& now, const Present::Lengths& from);
+
   long slice;
   double time;
   std::vector<State> players;
   std::vector<Push> pushes;
   std::size_t settled;
-  std::vector<SoftCollision> unsettled;  // collisions from the first that is not over
-  std::size_t frozen;
+  Tail<SoftCollision> collisions;
+  Tail<std::size_t> parted;
+  Tail<FarSides::Heard> heard;
+  Tail<SoftFrozen> frozen;
+  FarSides farSides;
   glm::dvec2 taken;
   Vec21 givenByHolders;
 };
+
+SoftPlay::Snapshot::Snapshot(const Present& now, const Present::Lengths& from)
+    : slice(now.slice),
+      time(now.time),
+      pushes(now.pushes),
+      settled(now.settled),
+      collisions(now.collisions, from.collisions),
+      parted(now.parted, from.parted),
+      heard(now.heard, from.heard),
+      frozen(now.frozen, from.frozen),
+      farSides(now.farSides),
+      taken(now.taken),
+      givenByHolders(now.givenByHolders) {
+  for (const Player& player : now.players)
+    players.push_back({player.entry, player.body.state(), player.isAwake, player.since, player.quietSince,
+                       player.fade, player.fadesFrom, player.centre, player.velocity, player.reach});
+}
 
 /// Bodies that take common steps.
 struct SoftPlay::Cluster {
@@ -142,9 +199,15 @@ void SoftPlay::addStroke(const SoftStroke& stroke) { now_->pushes.push_back({str
 double SoftPlay::time() const { return now_->time; }
 std::size_t SoftPlay::size() const { return now_->players.size(); }
 const std::string& SoftPlay::name(std::size_t body) const { return now_->players[body].entry->name; }
-const SoftBody& SoftPlay::body(std::size_t body) const { return now_->players[body].body; }
+const SoftBody& SoftPlay::body(std::size_t body) const {
+  now_->players[body].refresh();
+  return now_->players[body].body;
+}
 bool SoftPlay::isAwake(std::size_t body) const { return now_->players[body].isAwake; }
+double SoftPlay::timeOf(std::size_t body) const { return now_->players[body].since; }
 std::span<const SoftCollision> SoftPlay::collisions() const { return now_->collisions; }
+std::span<const std::size_t> SoftPlay::parted() const { return now_->parted; }
+std::span<const FarSides::Heard> SoftPlay::heard() const { return now_->heard; }
 std::span<const SoftFrozen> SoftPlay::frozen() const { return now_->frozen; }
 std::optional<double> SoftPlay::strokeBegan(std::size_t stroke) const { return now_->pushes[stroke].began; }
 
@@ -156,7 +219,7 @@ void SoftPlay::tell(std::size_t body) const {
 
 SoftTotals SoftPlay::totals(std::size_t body) const {
   const Player& player = now_->players[body];
-  SoftTotals totals = player.body.totals();
+  SoftTotals totals = this->body(body).totals();
   totals.centre += (now_->time - player.since) * player.velocity;
   return totals;
 }
@@ -179,9 +242,23 @@ double SoftPlay::clock(std::size_t body, const SoftMesh::Inside& inside) const {
   return player.body.clock(inside) + (now_->time - player.since) * std::sqrt(1.0 - glm::dot(v, v));
 }
 
+bool SoftPlay::drawnPlaces(std::size_t body, std::optional<double> time,
+                           std::vector<glm::dvec2>& places) const {
+  const Player& player = now_->players[body];
+  const double at = time.value_or(player.since);
+  const double left = player.fade.empty() ? 0.0 : player.fadeAt(at);
+  places.resize(player.body.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] = player.body.place(i) + (at - player.since) * player.body.velocity(i);
+    if (left > 0.0) places[i] += left * player.fade[i];
+  }
+  return left > 0.0;
+}
+
 SoftAccounts SoftPlay::accounts() const {
   SoftAccounts accounts;
-  for (const Player& player : now_->players) {
+  for (Player& player : now_->players) {
+    player.refresh();
     const SoftTotals totals = player.body.totals();
     accounts.motion = accounts.motion + totals.momentum;
     accounts.heat += totals.restMass() - player.entry->mass;
@@ -276,6 +353,7 @@ void SoftPlay::fallAsleep(Player& player, bool atOnce) {
   player.fade = atOnce ? std::vector<glm::dvec2>{} : std::move(beside);
   player.fadesFrom = player.since;
   player.isAwake = false;
+  now_->farSides.forget(static_cast<std::size_t>(&player - now_->players.data()));
   player.measure();
   tell(static_cast<std::size_t>(&player - now_->players.data()));
 }
@@ -339,6 +417,7 @@ std::vector<std::vector<std::size_t>> SoftPlay::clusters() const {
 void SoftPlay::playSlice(double until) {
   Present& now = *now_;
   const double whole = kSlice * static_cast<double>(now.slice + 1), end = std::min(whole, until);
+  now.before = {now.settled, now.parted.size(), now.heard.size(), now.frozen.size()};
   wakeAll(whole);
   for (const std::vector<std::size_t>& members : clusters()) play(members, end);
   now.time = end;
@@ -350,7 +429,10 @@ void SoftPlay::playSlice(double until) {
 
 void SoftPlay::play(const std::vector<std::size_t>& members, double end) {
   std::vector<SoftBody*> bodies;
-  for (const std::size_t member : members) bodies.push_back(&now_->players[member].body);
+  for (const std::size_t member : members) {
+    now_->players[member].refresh();
+    bodies.push_back(&now_->players[member].body);
+  }
   if (bodies.empty()) return;
   Cluster cluster{members, SoftGroup(bodies, cushions_), now_->players[members.front()].since};
   while (cluster.time < end) {
@@ -380,6 +462,13 @@ void SoftPlay::setHolds(Cluster& cluster) {
   for (std::size_t k = 0; k < cluster.members.size(); ++k) {
     const Player& player = now_->players[cluster.members[k]];
     const Vec21& u = player.entry->u;
+    for (const SoftHold& hold : player.entry->holds) {
+      for (const SoftHold::Turn& turn : hold.turns) {
+        if (turn.time != cluster.time) continue;
+        const double speed = glm::distance(turn.velocity, player.body.meanVelocity());
+        now_->farSides.push(cluster.members[k], player.body, {hold.isPlusX ? -1.0 : 1.0, 0.0}, speed);
+      }
+    }
     for (std::size_t h = 0; h < player.heldNodes.size(); ++h) {
       held.push_back({k, player.heldNodes[h],
                       holdVelocity(player.entry->holds[h], glm::dvec2(u.x, u.y) / u.t, cluster.time)});
@@ -400,6 +489,8 @@ void SoftPlay::begin(Push& push, double time) {
     sum += push.shares.back();
   }
   for (double& share : push.shares) share /= sum;
+  const double given = glm::length(push.stroke.momentum), energy = player.body.totals().momentum.t;
+  now_->farSides.push(push.stroke.body, player.body, way, given / std::hypot(given, energy));
 }
 
 void SoftPlay::setPushes(Cluster& cluster) {
@@ -477,15 +568,36 @@ void SoftPlay::note(const Cluster& cluster) {
                      exchange.cushion,
                      {cluster.time - exchange.since, exchange.place.x, exchange.place.y}});
       all.back().heatBefore = heat(true);
+      tellFarSides(all.back());
     }
     SoftCollision& collision = isNew ? all.back() : *known;
     collision.lastTouch = cluster.time;
+    collision.lastPlace = exchange.place;
     collision.impulse += exchange.impulse;
     collision.heatAfter = heat(false);
     now_->players[body].quietSince = cluster.time;
     if (isPair) now_->players[other].quietSince = cluster.time;
   }
-  for (const std::size_t member : cluster.members) tell(member);
+  for (const std::size_t member : cluster.members) {
+    now_->farSides.look(member, now_->players[member].body, cluster.time, now_->heard);
+    tell(member);
+  }
+}
+
+void SoftPlay::tellFarSides(const SoftCollision& collision) {
+  const Player& body = now_->players[collision.body];
+  const glm::dvec2 place(collision.contact.x, collision.contact.y);
+  if (collision.cushion != SoftExchange::kNone) {
+    const glm::dvec2& normal = cushions_[collision.cushion].normal;
+    now_->farSides.push(collision.body, body.body, -normal, std::abs(glm::dot(body.velocity, normal)));
+    return;
+  }
+  const Player& other = now_->players[collision.other];
+  const double speed = glm::distance(body.velocity, other.velocity);
+  for (const std::size_t number : {collision.body, collision.other}) {
+    const SoftBody& pushed = now_->players[number].body;
+    now_->farSides.push(number, pushed, glm::normalize(pushed.centre() - place), speed);
+  }
 }
 
 void SoftPlay::book(const Cluster& cluster) {
@@ -506,28 +618,21 @@ void SoftPlay::endCollisions() {
   bool allOver = true;
   for (std::size_t k = now_->settled; k < now_->collisions.size(); ++k) {
     SoftCollision& one = now_->collisions[k];
-    one.isOver = now_->time - one.lastTouch > std::max(soundTime(one.body), soundTime(one.other));
+    if (!one.isOver && now_->time - one.lastTouch > std::max(soundTime(one.body), soundTime(one.other))) {
+      one.isOver = true;
+      now_->parted.push_back(k);
+    }
     allOver = allOver && one.isOver;
     if (allOver) now_->settled = k + 1;
   }
 }
 
 std::shared_ptr<const SoftPlay::Snapshot> SoftPlay::snapshot() const {
-  const Present& now = *now_;
-  auto kept = std::make_shared<Snapshot>();
-  kept->slice = now.slice;
-  kept->time = now.time;
-  for (const Player& player : now.players)
-    kept->players.push_back({player.entry, player.body.state(), player.isAwake, player.since,
-                             player.quietSince, player.fade, player.fadesFrom});
-  kept->pushes = now.pushes;
-  kept->settled = now.settled;
-  kept->unsettled.assign(now.collisions.begin() + static_cast<std::ptrdiff_t>(now.settled),
-                         now.collisions.end());
-  kept->frozen = now.frozen.size();
-  kept->taken = now.taken;
-  kept->givenByHolders = now.givenByHolders;
-  return kept;
+  return std::make_shared<const Snapshot>(*now_, now_->before);
+}
+
+std::shared_ptr<const SoftPlay::Snapshot> SoftPlay::wholeSnapshot() const {
+  return std::make_shared<const Snapshot>(*now_, Present::Lengths{});
 }
 
 void SoftPlay::restore(const Snapshot& snapshot) {
@@ -544,14 +649,18 @@ void SoftPlay::restore(const Snapshot& snapshot) {
     player.isAwake = state.isAwake;
     player.since = state.since, player.quietSince = state.quietSince;
     player.fade = state.fade, player.fadesFrom = state.fadesFrom;
-    player.measure();
+    player.centre = state.centre, player.velocity = state.velocity, player.reach = state.reach;
+    player.hasStresses = false;
   }
   now.pushes = snapshot.pushes;
   now.settled = snapshot.settled;
-  now.collisions.erase(now.collisions.begin() + static_cast<std::ptrdiff_t>(snapshot.settled),
-                       now.collisions.end());
-  now.collisions.insert(now.collisions.end(), snapshot.unsettled.begin(), snapshot.unsettled.end());
-  now.frozen.erase(now.frozen.begin() + static_cast<std::ptrdiff_t>(snapshot.frozen), now.frozen.end());
+  snapshot.collisions.restore(now.collisions);
+  snapshot.parted.restore(now.parted);
+  snapshot.heard.restore(now.heard);
+  snapshot.frozen.restore(now.frozen);
+  now.before = {snapshot.collisions.first, snapshot.parted.first, snapshot.heard.first,
+                snapshot.frozen.first};
+  now.farSides = snapshot.farSides;
   now.taken = snapshot.taken;
   now.givenByHolders = snapshot.givenByHolders;
 }

@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/soft/far_sides.h"
 #include "engine/soft/soft_body.h"
 #include "engine/soft/soft_group.h"
 
@@ -74,6 +75,7 @@ struct SoftCollision {
   Vec21 contact;                              ///< the first touch
   double lastTouch = 0.0;                     ///< the end of the last step in which they touched
   bool isOver = false;                        ///< they have not touched for 2R/c_s
+  glm::dvec2 lastPlace{0.0};                  ///< where they touched then
   glm::dvec2 impulse{0.0};                    ///< received by `body`
   double heatBefore = 0.0, heatAfter = 0.0;   ///< of both bodies, at the contact and at the last touch
   double heat() const { return heatAfter - heatBefore; }
@@ -116,20 +118,32 @@ class SoftPlay {
   /// Plays the next slice, or its part until `until`, after which nothing more can be played.
   void playSlice(double until = std::numeric_limits<double>::infinity());
 
+  const std::vector<SoftCushion>& cushions() const { return cushions_; }
+
   // Of a body, at the present.
   std::size_t size() const;
   const std::string& name(std::size_t body) const;
   const SoftBody& body(std::size_t body) const;
   bool isAwake(std::size_t body) const;
+  double timeOf(
+      std::size_t body) const;  ///< of its state: the present at the latest, while it sleeps earlier
   /// The energy's centre with its mean velocity, momentum and heat.
   SoftTotals totals(std::size_t body) const;
   glm::dvec2 centre(std::size_t body) const;  ///< of energy
   glm::dvec2 place(std::size_t body, const SoftMesh::Inside& inside) const;
   glm::dvec2 velocity(std::size_t body, const SoftMesh::Inside& inside) const;
   double clock(std::size_t body, const SoftMesh::Inside& inside) const;
+  /// Fills `places` with all nodes of a body as it flies on from its state to a time, or for no time given at
+  /// its state; with that of their places which fades after it has fallen asleep. Returns whether something
+  /// does.
+  bool drawnPlaces(std::size_t body, std::optional<double> time, std::vector<glm::dvec2>& places) const;
 
   /// The collisions, in the order of their first touches as the play found them, since its beginning.
   std::span<const SoftCollision> collisions() const;
+  /// The places in that list of the collisions that are over, in the order in which this was known.
+  std::span<const std::size_t> parted() const;
+  /// The far sides that have heard of a touch, a stroke or a pull.
+  std::span<const FarSides::Heard> heard() const;
   std::span<const SoftFrozen> frozen() const;
   SoftAccounts accounts() const;
   /// Returns when a stroke began to push, by its number in the order of addition.
@@ -139,9 +153,13 @@ class SoftPlay {
   /// falls asleep, and at the end of a slice.
   void watch(std::function<void(std::size_t body, double time)> stepped);
 
-  /// A point of the play to which it can return.
+  /// A point of the play to which it can return from anywhere later, or go on from the beginning of the slice
+  /// that ends there. A play to which the time before is unknown can take it, too: then only what happens
+  /// since is among its collisions and other lists.
   struct Snapshot;
   std::shared_ptr<const Snapshot> snapshot() const;
+  /// A point to which it can go from anywhere.
+  std::shared_ptr<const Snapshot> wholeSnapshot() const;
   void restore(const Snapshot& snapshot);
 
  private:
@@ -165,6 +183,7 @@ class SoftPlay {
   void setPushes(Cluster& cluster);
   void begin(Push& push, double time);
   void note(const Cluster& cluster);
+  void tellFarSides(const SoftCollision& collision);
   void book(const Cluster& cluster);
   void freeze(Player& player, double time);
   void endCollisions();

@@ -62,12 +62,13 @@ inline FrameState frameOf(std::uint64_t number) {
 
 inline bool sameBits(const GameEvent& a, const GameEvent& b) {
   return a.withoutDelay == b.withoutDelay && a.sideOnSide == b.sideOnSide &&
-         digestOf(FrameState{{}, {}, {a}}, World{}) == digestOf(FrameState{{}, {}, {b}}, World{});
+         digestOf(FrameState{{}, {}, {a}, {}, {}}, World{}) ==
+             digestOf(FrameState{{}, {}, {b}, {}, {}}, World{});
 }
 
 /// Of all fields; what lies between them is nothing.
 inline bool sameBits(const FrameRecord& a, const FrameRecord& b) {
-  return digestOf(FrameState{a, {}, {}}, World{}) == digestOf(FrameState{b, {}, {}}, World{});
+  return digestOf(FrameState{a, {}, {}, {}, {}}, World{}) == digestOf(FrameState{b, {}, {}, {}, {}}, World{});
 }
 
 inline bool sameBits(const FrameState& a, const FrameState& b) {

@@ -20,9 +20,12 @@
 #include "cave/frame/hall.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/mesh/mesh_builder.h"
+#include "cave/render/seen_rows.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/light/mesh_emission.h"
+#include "engine/soft/row_recorder.h"
+#include "engine/soft/soft_play.h"
 
 namespace carom {
 namespace {
@@ -464,6 +467,49 @@ void millionSolvedAndUploaded(benchmark::State& state) {
   state.counters["upload_ms"] = 2e3 * medianOf(upload_s);
 }
 
+/// A soft puck of 12 rings that bounces until it has 300 rows.
+SoftPast bouncing(const SoftMesh& mesh) {
+  SoftPlay play({{{1.0, 0.0}, 0.2}, {{-1.0, 0.0}, 0.2}});
+  SoftEntry entry;
+  entry.name = "jelly";
+  entry.mesh = std::make_shared<const SoftMesh>(mesh);
+  entry.mass = 0.2;
+  entry.u = {1.25, 0.75, 0.0};
+  play.add(entry);
+  SoftRows rows;
+  std::vector<glm::dvec2> places;
+  play.drawnPlaces(0, 0.0, places);
+  RowRecorder recorder(1, 0.0, places, false);
+  play.watch([&](std::size_t, double time) {
+    play.drawnPlaces(0, std::nullopt, places);
+    recorder.take(time, places, play.body(0), !play.isAwake(0), rows);
+  });
+  while (rows.rows.size() < 300) play.playSlice();
+  SoftPast past;
+  for (std::size_t k = 0; k < 300; ++k)
+    past.rows.append(rows.rows[k], std::span(rows.nodes).subspan(k * places.size(), places.size()));
+  return past;
+}
+
+void ring_view(benchmark::State& state) {
+  const SoftMesh mesh = softDisc(0.0305, 12);
+  const SoftModel model = softModel(mesh, true, 0.02, 1, glm::vec3(1.0F));
+  const SoftPast past = bouncing(mesh);
+  const double first_s = past.rows.row(0).time / kC_m_s + 0.3,
+               last_s = past.rows.row(299).time / kC_m_s + 0.3;
+  SeenRows view;
+  std::vector<SeenVertex> seen(model.vertices.size());
+  double t_s = first_s;
+  for (auto _ : state) {
+    t_s = t_s + 1.0 / 60.0 < last_s ? t_s + 1.0 / 60.0 : first_s;
+    view.see(model, past, {{t_s, {0.1 * std::sin(5.0 * t_s), -0.3, 0.3}}, Lorentz(kC_m_s)}, Told::nothing,
+             seen);
+    benchmark::DoNotOptimize(seen.data());
+  }
+  state.counters["points"] = static_cast<double>(model.points.size());
+}
+
+BENCHMARK(ring_view)->Unit(benchmark::kMicrosecond);
 BENCHMARK(frame)->Unit(benchmark::kMillisecond);
 BENCHMARK(movingFrame)->Unit(benchmark::kMillisecond);
 BENCHMARK(nearWall)->Unit(benchmark::kMillisecond);

@@ -5,12 +5,19 @@
 // COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined
 // or not are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it
 // has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; GHOST,
-// the body is shown at one moment and is not lit.
+// the body is shown at one moment and is not lit; FOLLOWED, its points move by themselves and have been
+// solved for.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
 in vec3 surfaceMC;  // for painting
 in vec4 litMC;      // share of each lamp's light and of the hall's that reaches it past what rests
+
+#ifdef FOLLOWED
+in vec4 sightMC;    // where it is drawn, from the eye; c (t − t_o) of the emission
+in vec4 motionMC;   // γβ then, in the board's frame; what its colour may tell
+uniform vec4 middleMotion;     // γ, γβ of its middle
+#endif
 
 uniform int firstLeg;          // of this body, in legTexels
 uniform int legCount;          // reached as LEG_COUNT: 1 for what rests
@@ -43,6 +50,9 @@ out SHINE shine;      // mirrored to the eye by its varnish
 #endif
 // 0 to 1: how bright it is as if it were painted evenly, and set off from parts of another tint.
 out float tone;
+#endif
+#ifdef FOLLOWED
+out float told;       // motionMC.w
 #endif
 out float boardTime_m;  // c (t − t_o) of the emission
 // Uniforms, handed on: llvmpipe reads those of pixels one by one, with a check for each.
@@ -77,7 +87,17 @@ struct Sight {
 
 const vec4 kRests = vec4(1.0, 0.0, 0.0, 0.0);
 
+#ifdef FOLLOWED
+Sight sightOf(vec3 d) {
+  boardTime_m = sightMC.w;
+  normalInLeg = normalMC;
 #ifdef EUCLID
+  return Sight(sightMC.xyz, 1.0, vec3(0.0), kRests);
+#else
+  return Sight(sightMC.xyz, sqrt(1.0 + dot(motionMC.xyz, motionMC.xyz)), motionMC.xyz, kRests);
+#endif
+}
+#elif defined(EUCLID)
 Sight sightOf(vec3 d) {
   boardTime_m = 0.0;
   LegView leg = legAt(firstLeg, 0);
@@ -277,7 +297,9 @@ Sight shadowed(Sight sight, Sight centre, out float share) {
 
 void main() {
   vec3 d = vertexMC.xyz;
-#ifdef SHADOW
+#if defined(SHADOW) && defined(FOLLOWED)
+  Sight centre = Sight(vec3(0.0), middleMotion.x, middleMotion.yzw, kRests);
+#elif defined(SHADOW)
   Sight centre = sightOf(vec3(0.0));
 #endif
 #if defined(SHADOW) && defined(SPINS)
@@ -307,6 +329,9 @@ void main() {
   gl_ClipDistance[0] = boardTime_m - appears_m;
   place = d;
   surface = surfaceMC;
+#ifdef FOLLOWED
+  told = motionMC.w;
+#endif
 #ifdef SHADOW
   surface.y = share;
 #endif

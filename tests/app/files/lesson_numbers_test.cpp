@@ -816,5 +816,145 @@ TEST(LessonNumbers, MassEnergy) {
       .has(c_m_s, 2);
 }
 
+/// A shock into matter at rest whose end is pushed to V, c = 1: momentum and energy are kept across it, with
+/// the rest energy 1 + (a/2)(s + 1/s − 2) + q of matter stretched s times.
+struct Shock {
+  double speed = 0.0, stretch = 0.0;  ///< on the board; of the matter behind it, in its own frame
+};
+Shock shockOf(double V, double a) {
+  const double gamma2 = 1.0 / (1.0 - V * V);
+  const auto lacks = [&](double S) {
+    const double s = std::sqrt(gamma2) * (S - V) / S, p = 0.5 * a * (1.0 / (s * s) - 1.0);
+    const double density = p / (gamma2 * V * (S - V)) - p;  // of own energy, from the balance of momentum
+    return gamma2 * (density + p * V * V) * (S - V) - S - p * V;
+  };
+  double low = V + 1e-3, high = 1.0 - 1e-9;
+  const bool sign = lacks(low) > 0.0;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    ((lacks(middle) > 0.0) == sign ? low : high) = middle;
+  }
+  return {low, std::sqrt(gamma2) * (low - V) / low};
+}
+
+/// How much matter is stretched whose end is pulled to V: along the smooth wave the rapidity grows by c_s
+/// ds/s.
+double stretchOfPull(double V, double a) {
+  double s = 1.0;
+  constexpr double kStep = 1e-6;
+  for (double rapidity = 0.0; rapidity < std::atanh(V); s += kStep) {
+    const double p = 0.5 * a * (1.0 / (s * s) - 1.0), e = 1.0 + 0.5 * a * (s + 1.0 / s - 2.0);
+    rapidity += std::sqrt((a / s) / (e + s * p)) * kStep / s;
+  }
+  return s;
+}
+
+/// When the far side of a soft puck hears for the first time.
+double farSideHears_s(const Billiard& game, std::size_t puck) {
+  for (const GameEvent& event : game.events()) {
+    if (event.kind == EventKind::farSide && event.turns.front().puck == puck) return event.at.t_s;
+  }
+  ADD_FAILURE() << "the far side never hears";
+  return 0.0;
+}
+
+TEST(LessonNumbers, Solid) {
+  const Scenario scenario = shipped("solid");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s, V = scenario.bodies.front().worldLine.at(2.0).u.x;
+  const double pushed = V / std::sqrt(1.0 + V * V);
+  const Billiard game = played(scenario, 2.5);
+  Numbers numbers(claims(scenario));
+  numbers.has(pushed, 1);
+  for (const std::string name : {"behind", "in front"}) {
+    const std::size_t number = puckNamed(scenario, name);
+    const Puck& rod = scenario.billiard.pucks[number];
+    const double length_m = 2.0 * std::abs(rod.outline_m.front().x), sound = rod.soft->soundSpeed;
+    const Shock shock = shockOf(pushed, sound * sound);
+    const double light_s = length_m / c_m_s, needs_s = light_s / shock.speed;
+    EXPECT_NEAR(farSideHears_s(game, number) - 1.0, needs_s, 0.07 * light_s) << "as it is played";
+    const auto flash = std::find_if(scenario.billiard.flashes.begin(), scenario.billiard.flashes.end(),
+                                    [&](const Flash& one) { return one.name == "start, " + name; });
+    ASSERT_NE(flash, scenario.billiard.flashes.end());
+    EXPECT_NEAR(flash->at.t_s, 1.0 + needs_s, 1e-3);
+    EXPECT_NEAR(flash->at.r_m.x, rod.position_m.x + 0.5 * length_m, 1e-12);
+    if (name == "behind") numbers.has(shock.speed, 3);
+    numbers.has(sound, 1).has(1.0 / shock.speed, 2).has(needs_s, 2).has(light_s, 2);
+    // At the lesson's moment the near end is seen to have gone, and the far end not.
+    const double moment_s = scenario.lesson->plan.interval.moment_s;
+    const auto seen_s = [&](double x_m) {
+      return moment_s - glm::distance(standingEye_m(scenario), Vec3(x_m, rod.position_m.y, 0.0)) / c_m_s;
+    };
+    EXPECT_GT(seen_s(rod.position_m.x - 0.5 * length_m), 1.15);
+    EXPECT_LT(seen_s(rod.position_m.x + 0.5 * length_m), 1.0 + needs_s - 0.1);
+  }
+  EXPECT_EQ(scenario.lesson->words.right, 2u);
+}
+
+TEST(LessonNumbers, BellString) {
+  const Scenario scenario = shipped("bell-string");
+  const Puck& string = scenario.billiard.pucks.front();
+  const double sound = string.soft->soundSpeed, half_m = std::abs(string.outline_m.front().x);
+  const double light_s = 2.0 * half_m / scenario.billiard.lightSpeed_m_s;
+  const double u = scenario.bodies.front().worldLine.at(2.0).u.x, V = u / std::hypot(1.0, u);
+  const Shock push = shockOf(V, sound * sound);
+  const double middleHears_s = 0.5 * light_s / std::max(push.speed, sound);
+  Billiard game(scenario.billiard);
+  const std::vector<SoftPoint> points{{0, {-0.9 * half_m, 0.0}}, {0, {0.0, 0.0}}, {0, {0.9 * half_m, 0.0}}};
+  const auto at = [&](double t_s) {
+    game.advanceTo(t_s);
+    return game.softAt(t_s, points).points;
+  };
+  const auto waits = at(1.0 + 0.9 * middleHears_s);
+  EXPECT_NEAR(waits[0]->beta.x, V, 0.03);
+  EXPECT_NEAR(waits[1]->beta.x, 0.0, 0.01) << "the middle rests";
+  EXPECT_NEAR(waits[2]->beta.x, V, 0.05);
+  EXPECT_GT(at(1.0 + 1.2 * middleHears_s)[1]->beta.x, 0.05);
+  const auto last = at(9.0);
+  EXPECT_NEAR((last[2]->position_m.x - last[0]->position_m.x) / (1.8 * half_m), 1.0, 0.01)
+      << "as far apart as before, on the board";
+  EXPECT_EQ(scenario.lesson->words.right, 2u);
+  Numbers(claims(scenario))
+      .has(V, 1)
+      .has(1.0 / std::sqrt(1.0 - V * V), 3)
+      .has(1.0, 0)
+      .has(middleHears_s, 2)
+      .has(push.stretch, 2)
+      .has(stretchOfPull(V, sound * sound), 2);
+}
+
+TEST(LessonNumbers, SoftAndRigid) {
+  const Scenario scenario = shipped("soft-and-rigid");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const std::size_t rigid = puckNamed(scenario, "rigid"), soft = puckNamed(scenario, "soft");
+  const Puck& puck = scenario.billiard.pucks[soft];
+  const double came = puck.beta.x, gamma = 1.0 / std::sqrt(1.0 - came * came);
+  Billiard game(scenario.billiard);
+  const std::vector<SoftPoint> ends{{soft, {-puck.radius_m, 0.0}}, {soft, {puck.radius_m, 0.0}}};
+  double least_m = 2.0 * puck.radius_m;
+  SoftMoment moment;
+  for (double t_s = 0.9; t_s < 2.5; t_s += 0.005) {
+    game.advanceTo(t_s);
+    moment = game.softAt(t_s, ends);
+    least_m = std::min(least_m, moment.points[1]->position_m.x - moment.points[0]->position_m.x);
+  }
+  ASSERT_EQ(moment.contacts.size(), 1u);
+  const double lasts_s = moment.contacts[0].parted_s.value() - moment.contacts[0].contact.t_s;
+  const double mass = moment.pucks[soft]->restMass_kg / puck.mass_kg;
+  EXPECT_FALSE(moment.pucks[rigid]) << "it stays rigid";
+  EXPECT_NEAR(betaFromU(game.worldLines()[rigid].at(2.5).u).x, -came, 1e-12);
+  // On the board energy is kept: what the mass has gained, the motion has lost.
+  const double speed = -moment.pucks[soft]->beta.x;
+  EXPECT_NEAR(mass / std::sqrt(1.0 - speed * speed), gamma, 1e-9);
+  EXPECT_EQ(scenario.lesson->words.right, 2u);
+  Numbers(claims(scenario))
+      .has(came, 1)
+      .has(2.0 / gamma, 2)
+      .has(least_m / puck.radius_m, 2)
+      .has(lasts_s * c_m_s / puck.radius_m, 1)
+      .has(speed, 2)
+      .has(mass, 2)
+      .has(100.0 * (mass - 1.0) / (gamma - 1.0), 0);
+}
+
 }  // namespace
 }  // namespace carom

@@ -79,6 +79,9 @@ TEST(Rig, ReadsEveryKindOfTracker) {
       {"vrpn", TrackerKind::vrpn, "Head@tcp://host:3883"},
       {"dtrack", TrackerKind::dtrack, "udp://224.0.1.0:5000?interface=192.168.1.5"},
       {"natnet", TrackerKind::natnet, "udp://192.168.1.10?group=239.255.42.99"},
+      {"qtm", TrackerKind::qtm, "tcp://192.168.1.10:22223"},
+      {"trackd", TrackerKind::trackd, "shm://4126?wand=4127"},
+      {"survive", TrackerKind::survive, "tcp://192.168.1.10:7001"},
       {"polhemus-usb", TrackerKind::polhemusUsb, "0f44:ff12"},
       {"hid-imu", TrackerKind::hidImu, "2833:0001"}};
   for (const auto& [name, kind, source] : kinds) {
@@ -87,6 +90,39 @@ TEST(Rig, ReadsEveryKindOfTracker) {
     EXPECT_EQ(rig.trackers[0].source, source);
     EXPECT_EQ(toString(kind), name);
   }
+}
+
+TEST(Rig, SaysWhichMessagesOfOscAreWhat) {
+  const std::string kind = "'osc'\nsource = 'udp://0.0.0.0:9000'\n";
+  const Rig rig =
+      read(changed("'simulated'", kind + "osc = { pose = '/cap/{sensor}', values = 'x y z', unit = 'cm', "
+                                         "buttons = '/b/{n}', axes = '/a/{sensor}/{n}' }"));
+  const OscMapping& mapping = rig.trackers.at(0).osc;
+  EXPECT_EQ(rig.trackers[0].kind, TrackerKind::osc);
+  EXPECT_EQ(toString(TrackerKind::osc), "osc");
+  EXPECT_EQ(mapping.pose->match("/cap/7")->sensor, 7);
+  EXPECT_EQ(mapping.values.size(), 3u);
+  EXPECT_EQ(mapping.unit_m, 0.01);
+  EXPECT_EQ(mapping.buttons->match("/b/2")->index, 2);
+  EXPECT_EQ(mapping.axes->match("/a/1/3")->index, 3);
+  const Rig usual = read(changed("'simulated'", kind + "osc = { pose = '/cap' }"));
+  EXPECT_EQ(usual.trackers[0].osc.values.size(), 7u);
+  EXPECT_EQ(usual.trackers[0].osc.unit_m, 1.0);
+  EXPECT_FALSE(usual.trackers[0].osc.buttons);
+}
+
+TEST(Rig, NamesTheSensorsOfQtmAndSurvive) {
+  const Rig qtm = read(changed("'simulated'", "'qtm'\nsource = 'tcp://h'\nnames = ['Head', 'Wand']"));
+  EXPECT_EQ(qtm.trackers.at(0).names, (std::vector<std::string>{"Head", "Wand"}));
+  const Rig survive = read(changed("'simulated'", "'survive'\nnames = ['T20']"));
+  EXPECT_EQ(survive.trackers.at(0).names, std::vector<std::string>{"T20"});
+  EXPECT_EQ(survive.trackers[0].source, "") << "it is started";
+}
+
+TEST(Rig, SaysTheUnitOfTrackd) {
+  const std::string trackd = "'trackd'\nsource = 'shm://4126'";
+  EXPECT_EQ(read(changed("'simulated'", trackd)).trackers.at(0).unit_m, 0.3048) << "feet, if left out";
+  EXPECT_EQ(read(changed("'simulated'", trackd + "\nunit = 'cm'")).trackers.at(0).unit_m, 0.01);
 }
 
 TEST(Rig, MaySayThatDtrackIsStarted) {
@@ -403,6 +439,32 @@ INSTANTIATE_TEST_SUITE_P(
               "does not say which controller"},
         Fault{"start of another kind", changed("'simulated'", "'simulated'\nstart = true"), 9, 9,
               "dtrack alone"},
+        Fault{"OSC without its messages", changed("'simulated'", "'osc'\nsource = 'udp://0.0.0.0:9000'"), 6,
+              1, "osc is missing"},
+        Fault{"OSC without a message",
+              changed("'simulated'", "'osc'\nsource = 'udp://0.0.0.0:9000'\nosc = { unit = 'm' }"), 10, 7,
+              "expected pose, buttons or axes"},
+        Fault{"OSC address",
+              changed("'simulated'", "'osc'\nsource = 'udp://0.0.0.0:9000'\nosc = { pose = '/cap/{n}' }"), 10,
+              16, "has {n}, expected {sensor}"},
+        Fault{"OSC values",
+              changed("'simulated'",
+                      "'osc'\nsource = 'udp://0.0.0.0:9000'\nosc = { pose = '/cap', values = 'x y' }"),
+              10, 33, "'z' is missing"},
+        Fault{"OSC of another kind", changed("'simulated'", "'simulated'\nosc = { pose = '/cap' }"), 9, 7,
+              "has a meaning for osc alone"},
+        Fault{"a command as a source",
+              changed("'simulated'", "'survive'\nsource = 'survive-cli --simulator'"), 9, 10,
+              "expected one such as 'tcp://"},
+        Fault{"key of shared memory", changed("'simulated'", "'trackd'\nsource = 'shm://4126?wand=x'"), 9, 10,
+              "expected a number from 1 to 2147483647"},
+        Fault{"names that are equal", changed("'simulated'", "'survive'\nnames = ['T20', 'T20']"), 9, 17,
+              "'T20' is there twice"},
+        Fault{"an empty name", changed("'simulated'", "'survive'\nnames = ['']"), 9, 10, "names[0] is empty"},
+        Fault{"names of another kind", changed("'simulated'", "'simulated'\nnames = ['T20']"), 9, 9,
+              "has a meaning for qtm and survive alone"},
+        Fault{"unit of another kind", changed("'simulated'", "'simulated'\nunit = 'ft'"), 9, 8,
+              "has a meaning for trackd alone"},
         Fault{"NatNet group", changed("'simulated'", "'natnet'\nsource = 'udp://h?group=10.0.0.1'"), 9, 10,
               "expected a multicast address"},
         Fault{"USB address", changed("'simulated'", "'polhemus-usb'\nsource = 'FASTRAK'"), 9, 10,
@@ -573,6 +635,15 @@ TEST(Rig, AWallMayShowEyesOfTwoPeople) {
   EXPECT_EQ(swapped.walls[0].eyes, (std::vector<ViewerEye>{{0, Eye::right}, {0, Eye::left}}));
 }
 
+TEST(Rig, AWallMayShowOnePictureToBothEyesOfEach) {
+  const Rig eve = readRig(CAROM_CONFIG_DIR "/rigs/eve.toml");
+  EXPECT_EQ(eve.walls.back().eyes, (std::vector<ViewerEye>{{1, Eye::middle}, {0, Eye::middle}}));
+  EXPECT_EQ(sightsOf(eve, 1).back(), "sees floor (both eyes)");
+  const Rig alone = rigFor(eve, "second");
+  EXPECT_EQ(alone.walls.back().name, "floor");
+  EXPECT_EQ(alone.walls.back().stereo, StereoMode::mono);
+}
+
 TEST(Rig, RefusesViewersWhoDoNotFitTheirWalls) {
   const std::string third = "[[viewer]]\nname = 'cleo'\ntracker = 'cap'\nsensor = 2\n";
   std::string five = roomForTwo();
@@ -600,7 +671,7 @@ TEST(Rig, RefusesViewersWhoDoNotFitTheirWalls) {
            {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left']"),
             "eyes has 1 name, expected one for each of the 2 channels of 'side-by-side'"},
            {changedForTwo("viewer = 'anna'", "viewer = 'anna'\neyes = ['left', 'up']"),
-            "eyes has 'up', expected 'left', 'right' or a viewer's, such as 'anna.left'"},
+            "eyes has 'up', expected 'left', 'right', 'middle' or a viewer's, such as 'anna.left'"},
            {changedForTwo("viewer = 'anna'", "eyes = ['anna.left', 'bob.left']"),
             "eyes has 'bob.left', expected"},
            {five, "expected at most 4 in a room"},

@@ -122,7 +122,9 @@ FrameState throughFile(const FrameState& state) {
   return read;
 }
 
-FrameDigest digestOf(const FrameRecord& record) { return digestOf(FrameState{record, {}, {}}, World{}); }
+FrameDigest digestOf(const FrameRecord& record) {
+  return digestOf(FrameState{record, {}, {}, {}, {}}, World{});
+}
 
 std::size_t countFields() {
   FrameState state = frameForTwo();

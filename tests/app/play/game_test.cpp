@@ -56,7 +56,7 @@ TEST(Game, ForgetsOnlyWhatNoEyeSeesAnyMore) {
     state.record = {};
     game.advance(eyes.middle.observation.t_s + 1.0, state);
     applyFrame(state, kept);
-    if (frame % 100 == 0) game.forget(forgetting.histories, {&eyes, 1}, state);
+    if (frame % 100 == 0) game.forget(forgetting, {&eyes, 1}, state);
     applyFrame(state, forgetting);
     mostKnots = std::max(mostKnots, knotsOf(forgetting.histories));
     if (frame % 97 != 0) continue;

@@ -55,6 +55,27 @@ TEST(SpacetimeChart, NamesTheFlashesOfALesson) {
   EXPECT_EQ(light, 1);
 }
 
+// The near end of a pushed rod leaves at once, the far one later than light; both are drawn beside the
+// centre.
+TEST(SpacetimeChart, ShowsBothSidesOfWhatIsSoft) {
+  DiagramSubject subject = subjectOfLesson("solid");
+  const Scenario scenario = readScenario(CAROM_CONFIG_DIR "/scenarios/solid.toml");
+  const std::size_t before = spacetimeChart(subject, {}).lines.size();
+  subject.softSides = softSides(scenario.billiard, 'x', 2.2);
+  ASSERT_EQ(subject.softSides.size(), 2u);
+  const auto leaves_s = [](const std::vector<Event>& line) {
+    const auto moved = [&](const Event& event) { return event.r_m.x - line.front().r_m.x > 1e-3; };
+    return std::find_if(line.begin(), line.end(), moved)->t_s;
+  };
+  for (const SoftSides& rod : subject.softSides) {
+    const double length_m = rod.lines[1].front().r_m.x - rod.lines[0].front().r_m.x;
+    EXPECT_NEAR(length_m, 0.8, 1e-12);
+    EXPECT_NEAR(leaves_s(rod.lines[0]), 1.0, 0.02);
+    EXPECT_GT(leaves_s(rod.lines[1]), 1.0 + length_m / subject.c_m_s);
+  }
+  EXPECT_EQ(spacetimeChart(subject, {}).lines.size(), before + 4);
+}
+
 TEST(SpacetimeChart, AnObserverWhoIsPutElsewhereBeginsAnew) {
   DiagramSubject subject;
   subject.c_m_s = 1.42;

@@ -74,7 +74,7 @@ bool sameBits(const T& a, const T& b) {
 
 /// Of all fields; what lies between them is nothing.
 bool sameBits(const FrameRecord& a, const FrameRecord& b) {
-  return digestOf(FrameState{a, {}, {}}, World{}) == digestOf(FrameState{b, {}, {}}, World{});
+  return digestOf(FrameState{a, {}, {}, {}, {}}, World{}) == digestOf(FrameState{b, {}, {}, {}, {}}, World{});
 }
 
 void expectSameGame(const World& a, const World& b) {

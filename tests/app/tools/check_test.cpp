@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include <algorithm>
 
 #include "app/program.h"
@@ -137,17 +139,18 @@ TEST(Check, WarnsAndGoesOn) {
 
 TEST(Check, NamesTheKindsThatItKnows) {
   const TemporaryFolder folder;
-  for (const auto& [name, text] : {std::pair{"config.caverrzk.xml", "<?xml version=\"1.0\"?>\n<COCONFIG/>\n"},
-                                   {"room.jconf", "<configuration/>"},
-                                   {"room", "{ \"walls\": [] }"},
-                                   {"picture.png", "\x89PNG\r\n\x1a\n"}}) {
+  for (const auto& [name, text, begin] :
+       {std::tuple{"config.xml", "<?xml version=\"1.0\"?>\n<html/>\n",
+                   ":2:1: the first element is <html>, expected a room of "},
+        {"room", "{ \"walls\": [] }",
+         ":1:1: this object has neither 'nodes', 'nDisplay' nor 'platforms', expected a room of "},
+        {"picture.png", "\x89PNG\r\n\x1a\n",
+         ":1:1: this is no file of a kind that is known here, expected a .toml of Carom or a room of "}}) {
     const std::string file = folder.file(name, text);
     const auto result = runCarom(folder, {"check", file});
     EXPECT_EQ(result.status, 1) << name;
-    EXPECT_EQ(result.err,
-              "error: " + file +
-                  ":1:1: this is no file of a kind that is known here, expected a .toml of Carom, a "
-                  ".pvx of ParaView or a .json of SGCT\n");
+    EXPECT_EQ(result.err.rfind("error: " + file + begin, 0), 0u) << result.err;
+    EXPECT_NE(result.err.find("OpenCOVER"), std::string::npos) << result.err;
   }
   const auto broken = runCarom(folder, {"check", folder.file("rig.toml", "unit = <\n")});
   EXPECT_NE(broken.err.find("rig.toml:1:"), std::string::npos) << broken.err;

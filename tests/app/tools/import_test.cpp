@@ -121,5 +121,84 @@ TEST(Import, FourRoomsOfOtherPrograms) {
   }
 }
 
+const std::filesystem::path kOthers = CAROM_TESTS_DIR "/fuzz/fuzz_rooms";
+
+TEST(Import, RoomsOfEachProgramBecomeRigsThatPass) {
+  const TemporaryFolder folder;
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kOthers)) {
+    const std::string rig = folder / (entry.path().filename().string() + ".toml");
+    const auto made = runCarom(folder, {"import", entry.path().string(), "-o", rig});
+    EXPECT_EQ(made.status, 0) << entry.path() << made.err;
+    const auto checked = runCarom(folder, {"check", rig});
+    EXPECT_EQ(checked.status, 0) << entry.path() << checked.err;
+    ++count;
+  }
+  EXPECT_GE(count, 10);
+}
+
+TEST(Import, KeepsTheUnitAxesHostsAndTrackersOfTheFile) {
+  const TemporaryFolder folder;
+  const std::string rig = folder / "cover.toml";
+  const auto made = runCarom(folder, {"import", kOthers / "cover.xml", "-o", rig});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const std::string text = contentOf(rig);
+  EXPECT_NE(text.find("unit = \"mm\"\naxes = \"x-right y-forward z-up\""), std::string::npos) << text;
+  EXPECT_NE(text.find("everything is moved by [0.0, 0.0, 1500.0] mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("# - line 9: screen 'SPARE' of computer 's1' is left out"), std::string::npos) << text;
+  const Rig read = readRig(rig);
+  ASSERT_EQ(read.walls.size(), 4u);
+  EXPECT_NEAR(glm::distance(read.walls[0].lowerLeft_m, {-2.0, -1.5, 0.0}), 0.0, kWritten_m);
+  EXPECT_EQ(read.nodes.at(0).host, "s1");
+  ASSERT_EQ(read.trackers.size(), 1u);
+  EXPECT_EQ(read.trackers[0].kind, TrackerKind::dtrack);
+  // With the room, its tracker has come up; the eyes stay where they are on the head.
+  EXPECT_NEAR(glm::distance(read.trackers[0].roomFromTracker * glm::dvec3(0.0), {0.01, 0.02, 0.0}), 0.0,
+              kWritten_m);
+  EXPECT_NEAR(glm::length(read.viewers[0].head.eyesFromSensor * glm::dvec3(0.0, -0.01, -0.1)), 0.0,
+              2 * kWritten_m);
+  EXPECT_EQ(read.viewers[0].hand->sensor, 101);
+}
+
+TEST(Import, PeopleBecomeViewersWithTheirEyes) {
+  const TemporaryFolder folder;
+  const std::string rig = folder / "two.toml";
+  const auto made = runCarom(folder, {"import", kOthers / "blender.xml", "-o", rig});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Rig read = readRig(rig);
+  ASSERT_EQ(read.viewers.size(), 2u);
+  EXPECT_EQ(read.viewers[1].name, "user-B");
+  EXPECT_EQ(read.viewers[1].head.sensor.sensor, 4);
+  EXPECT_EQ(read.trackers.at(read.viewers[0].head.sensor.tracker).kind, TrackerKind::simulated);
+  EXPECT_EQ(read.walls.at(1).eyes.at(0), (ViewerEye{1, Eye::middle}));
+}
+
+TEST(Import, CutFilesAreRefusedAndLeaveNothing) {
+  const TemporaryFolder folder;
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kOthers)) {
+    if (entry.path().extension() == ".cfg") continue;  // half of its lines are a file, too
+    const std::string whole = contentOf(entry.path());
+    const std::string file = folder.file(entry.path().filename().string(), whole.substr(0, whole.size() / 2));
+    const auto made = runCarom(folder, {"import", file, "-o", folder / "cut.toml"});
+    EXPECT_EQ(made.status, 1) << entry.path();
+    EXPECT_EQ(made.err.rfind("error: " + file + ":", 0), 0u) << made.err;
+    EXPECT_EQ(folder.entries(), ++files);
+  }
+}
+
+TEST(Import, OneOfSeveralRoomsIsAskedFor) {
+  const TemporaryFolder folder;
+  const std::string file = std::filesystem::path(CAROM_TESTS_DIR "/data/rooms/hevs_example_config.json");
+  const auto asked = runCarom(folder, {"import", file, "-o", folder / "a.toml"});
+  EXPECT_EQ(asked.status, 1);
+  EXPECT_NE(asked.err.find("--room with one of 'LocalCluster', 'Anaglyph', 'CAVE', 'EPICylinder'"),
+            std::string::npos)
+      << asked.err;
+  EXPECT_EQ(runCarom(folder, {"import", file, "--room", "CAVE", "-o", folder / "a.toml"}).status, 0);
+  EXPECT_EQ(readRig(folder / "a.toml").walls.size(), 4u);
+  EXPECT_EQ(runCarom(folder, {"check", file, "--room", "StereoWall"}).status, 0);
+}
+
 }  // namespace
 }  // namespace carom

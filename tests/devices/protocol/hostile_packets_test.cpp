@@ -3,14 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <functional>
 #include <stdexcept>
 
 #include "counted_new.h"
 #include "devices/natnet_sender.h"
+#include "devices/osc_sender.h"
 #include "devices/protocol/dtrack_decoder.h"
 #include "devices/protocol/natnet_decoder.h"
+#include "devices/protocol/osc_decoder.h"
+#include "devices/protocol/qtm_bodies.h"
+#include "devices/protocol/qtm_frame.h"
+#include "devices/protocol/survive_decoder.h"
+#include "devices/protocol/trackd_segment.h"
 #include "devices/protocol/vrpn_decoder.h"
+#include "devices/qtm_sender.h"
 #include "devices/vrpn_sender.h"
 #include "fuzz/expect.h"
 #include "mutate.h"
@@ -21,6 +29,8 @@ namespace {
 
 using test::Bytes;
 using test::NatnetSender;
+using test::OscSender;
+using test::QtmSender;
 using test::VrpnSender;
 
 constexpr int kPackets = test::casesOf(1'000'000);
@@ -97,6 +107,70 @@ TEST(HostilePackets, Natnet) {
   expectSurvival(packets, [&](const Bytes& bytes, std::vector<Reading>& readings) {
     (turn ? old : recent).decode(bytes, readings);
     turn = !turn;
+  });
+}
+
+TEST(HostilePackets, Osc) {
+  const Bytes pose = OscSender::message("/head/1", {0.5f, 1.75f, -0.25f, 0.0f, 0.6f, 0.0f, 0.8f});
+  const std::vector<Bytes> packets{pose, OscSender::bundle({pose, OscSender::message("/b/1/2", {1.0f})}),
+                                   OscSender::nested(20, pose)};
+  OscMapping mapping;
+  mapping.pose = OscPattern("/head/{sensor}", false);
+  mapping.values = readOscValues("x y z qx qy qz qw");
+  mapping.buttons = OscPattern("/b/{sensor}/{n}", true);
+  OscDecoder decoder(mapping);
+  expectSurvival(
+      packets, [&](const Bytes& bytes, std::vector<Reading>& readings) { decoder.decode(bytes, readings); });
+}
+
+TEST(HostilePackets, Qtm) {
+  const std::vector<Bytes> packets{
+      QtmSender::frameContent(7, 500.0, {QtmSender::turned(500, 1750, -250, 0.4), QtmSender::lost()}),
+      QtmSender::frameContent(8, 500.1, {QtmSender::turned(1, 2, 3, 0.1)}, false)};
+  expectSurvival(packets,
+                 [](const Bytes& bytes, std::vector<Reading>& readings) { readQtmFrame(bytes, readings); });
+}
+
+TEST(HostilePackets, QtmNames) {
+  const std::string xml = QtmSender::xml({"Head", "Wand &amp; cue"});
+  const Bytes whole(xml.begin(), xml.end());
+  std::mt19937_64 random(3);
+  const std::size_t before = test::bytesHeld();
+  for (int i = 0; i < kPackets / 20; ++i) {
+    const Bytes bytes = test::mutated(whole, whole, random);
+    const auto names = readQtmBodies({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    for (const std::string& name : names.value_or(std::vector<std::string>{})) EXPECT_LE(name.size(), 100u);
+  }
+  EXPECT_LT(test::bytesHeld() - before, kMostHeld);
+}
+
+TEST(HostilePackets, Survive) {
+  std::vector<Bytes> packets;
+  for (const std::string text :
+       {"12.345678 T20 POSE 0.500000 -0.250000 1.750000 0.800000 0.000000 0.600000 0.000000 \r\n",
+        "13.0 WM0 BUTTON 3 0\r\n13.1 WM0 BUTTON 2 0\r\n14 T20 DISCONNECT\r\n"}) {
+    packets.emplace_back(text.begin(), text.end());
+  }
+  SurviveDecoder decoder({});
+  expectSurvival(
+      packets, [&](const Bytes& bytes, std::vector<Reading>& readings) { decoder.decode(bytes, readings); });
+}
+
+TEST(HostilePackets, Trackd) {
+  Bytes segment(28 + 2 * 40);
+  const std::uint32_t header[]{1, 2, 28, 40, 1800000000, 5, 0};
+  const float sensor[]{1, 2, 3, 90, 10, -5};
+  std::memcpy(segment.data(), header, sizeof header);
+  std::memcpy(segment.data() + 28, sensor, sizeof sensor);
+  expectSurvival({segment}, [](const Bytes& bytes, std::vector<Reading>& readings) {
+    try {
+      const TrackdSensors sensors = readTrackdSensors(bytes);
+      for (std::size_t i = 0; i < sensors.count; ++i) {
+        const auto read = readTrackdSensor(copyTrackdSensor(bytes, sensors, i), 0.3048);
+        if (read) readings.emplace_back().pose = read->pose;
+      }
+    } catch (const std::runtime_error&) {  // it is not trackd's
+    }
   });
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+// Reads the walls of an Equalizer configuration: those of segments, canvases, views and compounds, on the
+// channels of its nodes' windows. Metres, x right, y up, z back.
+
+#include <filesystem>
+
+#include "app/room_formats/part.h"
+#include "app/room_import/room.h"
+
+namespace carom {
+
+/// Reads the configuration from the file's parts (eqc_syntax.h). Faults of single values become findings and
+/// their walls are left out.
+Room readEqc(const std::filesystem::path& file, const Part& root);
+
+}  // namespace carom

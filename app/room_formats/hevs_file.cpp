@@ -1,0 +1,417 @@
+#include "app/room_formats/hevs_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <string_view>
+
+#include "app/room_formats/room_parts.h"
+#include "app/room_import/foreign_room.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEyeSeparation_m = 0.065;                        // HEVS's default
+constexpr std::size_t kMostInherited = 32, kMostParts = 200'000;  // platforms in a chain; copied parts
+constexpr glm::ivec2 kAssumedWindow_px{1920, 1080};
+constexpr std::array<std::string_view, 10> kQuiet{
+    "index", "globals", "type", "cluster", "layers", "cull_layers", "fov", "near", "far", "hardware_synced"};
+
+std::size_t sizeOf(const Part& part) {
+  std::size_t size = 1;
+  for (const Part& child : part.parts) size += sizeOf(child);
+  return size;
+}
+
+/// Overwrites parts by those of the same name, as HEVS does with what a platform or display inherits.
+void overwrite(Part& whole, const Part& by) {
+  for (const Part& part : by.parts) {
+    const auto found = std::find_if(whole.parts.begin(), whole.parts.end(), [&](const Part& own) {
+      return !part.name.empty() && own.name == part.name;
+    });
+    if (found == whole.parts.end()) {
+      whole.parts.push_back(part);
+    } else if (part.parts.empty() || found->parts.empty() || part.parts.front().name.empty()) {
+      *found = part;
+    } else {
+      overwrite(*found, part);
+    }
+  }
+}
+
+/// Returns an object with what it inherits from others of `all`.
+class Inheritance {
+ public:
+  Inheritance(const Part& all, Room& room) : all_(all), room_(room) {}
+
+  Part of(const Part& object) {
+    Part whole{object.name, {}, object.at, object.textAt};
+    add(object, whole, 0);
+    return whole;
+  }
+
+ private:
+  void add(const Part& object, Part& whole, std::size_t depth) {
+    copied_ += sizeOf(object);
+    if (depth > kMostInherited || copied_ > kMostParts) {
+      if (!isRefused_) {
+        addError(room_, object.at,
+                 fmt::format("'{}' inherits from itself or from too many others, expected none or a few",
+                             printable(object.name)));
+      }
+      isRefused_ = true;
+      return;
+    }
+    if (const Part* inherit = object.find("inherit")) {
+      if (inherit->parts.empty()) inheritFrom(*inherit, whole, depth);
+      for (const Part& name : inherit->parts) inheritFrom(name, whole, depth);
+    }
+    if (!isRefused_) overwrite(whole, object);
+  }
+  void inheritFrom(const Part& name, Part& whole, std::size_t depth) {
+    name.isRead = true;
+    if (const Part* other = all_.find(name.text)) {
+      add(*other, whole, depth + 1);
+    } else {
+      addError(room_, name.textAt, fmt::format("there is no '{}' to inherit from", printable(name.text)));
+    }
+  }
+
+  const Part& all_;
+  Room& room_;
+  std::size_t copied_ = 0;
+  bool isRefused_ = false;
+};
+
+struct HevsStereo {
+  std::string_view name;
+  StereoMode mode;
+  std::string_view differs;
+};
+constexpr std::array<HevsStereo, 16> kHevsStereo{{
+    {"mono", StereoMode::mono, ""},
+    {"leftonly", StereoMode::left, ""},
+    {"rightonly", StereoMode::right, ""},
+    {"sidebyside", StereoMode::sideBySide, ""},
+    {"topbottom", StereoMode::topBottom, ""},
+    {"quadbuffered", StereoMode::quadBuffer, ""},
+    {"sequential", StereoMode::quadBuffer, "it becomes quad-buffer"},
+    {"redcyan", StereoMode::anaglyph, ""},
+    {"redblue", StereoMode::anaglyph, "it is shown in red and cyan"},
+    {"redgreen", StereoMode::anaglyph, "it is shown in red and cyan"},
+    {"sidebysidemono", StereoMode::mono, "one picture fills the window"},
+    {"topbottommono", StereoMode::mono, "one picture fills the window"},
+    {"sidebysideleftonly", StereoMode::left, "one picture fills the window"},
+    {"topbottomleftonly", StereoMode::left, "one picture fills the window"},
+    {"sidebysiderightonly", StereoMode::right, "one picture fills the window"},
+    {"topbottomrightonly", StereoMode::right, "one picture fills the window"},
+}};
+
+StereoMode modeOf(const Part& text, Room& room) {
+  for (const HevsStereo& stereo : kHevsStereo) {
+    if (!alike(text.text, stereo.name)) continue;
+    if (!stereo.differs.empty()) {
+      addWarning(room, text.textAt,
+                 fmt::format("stereo mode '{}' is not known here: {}", printable(text.text), stereo.differs));
+    }
+    return stereo.mode;
+  }
+  addWarning(room, text.textAt,
+             fmt::format("stereo mode '{}' is not known here: mono is taken", printable(text.text)));
+  return StereoMode::mono;
+}
+
+/// The node whose displays are read.
+struct HevsNode {
+  const Part& part;
+  WindowPlacement window;
+  bool sizeGiven = false;
+};
+
+/// Returns a point with z back from one with z forward.
+std::optional<glm::dvec3> pointOf(const Part& display, std::string_view name, Room& room) {
+  const Part* part = display.find(name);
+  if (!part) {
+    addError(
+        room, display.at,
+        fmt::format("{} is missing in display '{}', expected ul, ll and lr", name, printable(display.name)));
+    return {};
+  }
+  const auto values = arrayOf(*part, 3, room);
+  if (!values) return {};
+  return glm::dvec3((*values)[0], (*values)[1], -(*values)[2]);
+}
+
+/// Reads a platform.
+class HevsPlatform {
+ public:
+  HevsPlatform(const Part& platform, Room& room) : platform_(platform), room_(room), ranks_(room) {}
+
+  void read() {
+    readStereo();
+    readPeople();
+    const Part* nodes = platform_.find("nodes");
+    const std::string master = masterName();
+    if (nodes) {
+      for (const Part& node : nodes->parts) {
+        if (node.name == master) readNode(node);
+      }
+      for (const Part& node : nodes->parts) {
+        if (node.name != master) readNode(node);
+      }
+    }
+    ranks_.finish();
+    nameUnused();
+  }
+
+ private:
+  std::string masterName() const {
+    const Part* cluster = platform_.find("cluster");
+    return cluster ? cluster->textOf("master") : "";
+  }
+
+  void readStereo() {
+    const Part* stereo = platform_.find("stereo");
+    if (!stereo) return;
+    if (const Part* mode = stereo->find("mode")) mode_ = modeOf(*mode, room_);
+    swapsEyes_ = flagOr(*stereo, "swap_eyes", false, room_);
+    separation_m_ = number(*stereo, "separation", kNotNegative, false, room_).value_or(kEyeSeparation_m);
+    separationAt_ = stereo->placeOf("separation");
+    headName_ = stereo->textOf("tracker");
+    for (const char* told : {"alignment", "separate_eyes"}) stereo->find(told);  // as every tracked wall here
+  }
+
+  void readPeople() {
+    const glm::dvec3 standing_m(0.0, kStandingEyes_m, 0.0);
+    addPerson("viewer", separation_m_, standing_m, separationAt_, "someone standing on the origin", room_);
+    const Part* trackers = platform_.find("trackers");
+    if (!trackers) return;
+    for (const Part& tracker : trackers->parts) readTracker(tracker);
+  }
+
+  void readTracker(const Part& tracker) {
+    tracker.isRead = true;
+    if (!alike(tracker.textOf("type"), "vrpn")) {
+      tracker.markRead();
+      return addWarning(room_, tracker.at,
+                        fmt::format("tracker '{}' of type '{}' is left out: it is no VRPN",
+                                    printable(tracker.name), printable(tracker.textOf("type"))));
+    }
+    flagOr(tracker, "apply_rotation", true, room_);
+    const auto axis = [&](const char* name, const char* usual) {
+      const Part* part = tracker.find(name);
+      return part ? part->text : std::string(usual);
+    };
+    Pose roomFromTracker;
+    const bool mirrored = alike(axis("handedness", "left"), "left");
+    // Without a word HEVS takes its own axes: x right, y up, z forward, left-handed.
+    if (mirrored && tracker.find("handedness")) {
+      addWarning(room_, tracker.placeOf("handedness"),
+                 fmt::format("tracker '{}' is left-handed, which no rig says: measure its room_from_tracker",
+                             printable(tracker.name)));
+    } else if (const auto turn =
+                   turnOfAxes(axis("right", "X"), axis("up", "Y"),
+                              axis("forward", tracker.find("handedness") ? "Z" : "-Z"), tracker.at, room_)) {
+      roomFromTracker.orientation = *turn;
+    }
+    readTransform(tracker, roomFromTracker);
+    const auto index =
+        addVrpn(tracker.name, tracker.textOf("address"), roomFromTracker, tracker.placeOf("address"), room_);
+    if (index) assign(tracker.name, *index);
+  }
+
+  void readTransform(const Part& tracker, Pose& roomFromTracker) {
+    const Part* transform = tracker.find("transform");
+    if (!transform) return;
+    if (const Part* translate = transform->find("translate")) {
+      if (const auto moved = arrayOf(*translate, 3, room_))
+        roomFromTracker.position_m = {(*moved)[0], (*moved)[1], -(*moved)[2]};
+    }
+    const Part* rotate = transform->find("rotate");
+    const auto turned = rotate ? arrayOf(*rotate, 3, room_) : std::nullopt;
+    if (turned &&
+        std::any_of(turned->begin(), turned->end(), [](double turn_deg) { return turn_deg != 0.0; })) {
+      addWarning(room_, rotate->textAt,
+                 fmt::format("the rotation of tracker '{}' is left out: measure its room_from_tracker",
+                             printable(tracker.name)));
+    }
+  }
+
+  /// Makes the tracker that the stereo settings name, or one called Head, the head's, and one called Wand or
+  /// Hand the hand's.
+  void assign(std::string_view name, std::size_t index) {
+    Person& person = room_.people.front();
+    if (name == headName_ || (headName_.empty() && alike(name, "head"))) {
+      person.setup.head.sensor = {index, 0};
+      person.isTracked = true;
+    } else if (alike(name, "wand") || alike(name, "hand")) {
+      person.setup.hand = HandSetup{{index, 0}, {}, {}};
+    }
+  }
+
+  void readNode(const Part& node) {
+    node.isRead = true;
+    HevsNode in{node, {}};
+    in.window.fullscreen = flagOr(node, "fullscreen", true, room_);
+    in.window.size_px = kAssumedWindow_px;
+    if (const Part* resolution = node.find("resolution")) {
+      constexpr Range kSize{.least = 1.0, .most = kMostRoomPixels};
+      if (resolution->parts.size() != 2) {
+        addError(room_, resolution->textAt, "resolution is no array of 2 numbers, expected width and height");
+      } else {
+        const auto x = numberOf(resolution->parts[0], kSize, true, room_),
+                   y = numberOf(resolution->parts[1], kSize, true, room_);
+        if (x && y) in.window.size_px = {static_cast<int>(*x), static_cast<int>(*y)};
+        in.sizeGiven = true;
+      }
+    }
+    node.find("address");
+    const Part* names = node.find("displays");
+    if (!names) names = node.find("display");
+    if (!names) {
+      return addWarning(room_, node.at,
+                        fmt::format("node '{}' has no display: it draws nothing", printable(node.name)));
+    }
+    if (names->parts.empty()) readDisplay(*names, in);
+    for (const Part& name : names->parts) readDisplay(name, in);
+  }
+
+  void readDisplay(const Part& name, const HevsNode& node) {
+    name.isRead = true;
+    const Part* displays = platform_.find("displays");
+    const Part* found = displays ? displays->find(name.text) : nullptr;
+    if (!found) {
+      return addError(room_, name.textAt,
+                      fmt::format("there is no display '{}', which node '{}' shows", printable(name.text),
+                                  printable(node.part.name)));
+    }
+    const Part display = Inheritance(*displays, room_).of(*found);
+    found->markRead();
+    const Part* type = display.find("type");
+    if (!type || !alike(type->text, "offaxis")) {
+      return addWarning(room_, type ? type->textAt : found->at,
+                        fmt::format("display '{}' of type '{}' is left out: it is no flat wall with a place, "
+                                    "expected offaxis",
+                                    printable(found->name), type ? printable(type->text) : "standard"));
+    }
+    readWall(display, node);
+    nameUnread(display, kQuiet, room_);
+  }
+
+  void readWall(const Part& display, const HevsNode& node) {
+    RoomWall wall;
+    wall.at = {display.at, display.at, display.placeOf("lr"), display.at, node.part.at,
+               display.at, display.at};
+    wall.wall.name = display.name;
+    const auto upperLeft = pointOf(display, "ul", room_), lowerLeft = pointOf(display, "ll", room_),
+               lowerRight = pointOf(display, "lr", room_);
+    const Part* mode = display.find("stereo_mode");
+    wall.wall.stereo = mode ? modeOf(*mode, room_) : mode_;
+    const bool both = wall.wall.stereo != StereoMode::mono && wall.wall.stereo != StereoMode::left &&
+                      wall.wall.stereo != StereoMode::right;
+    if (swapsEyes_ && both) wall.wall.eyes = {{0, Eye::right}, {0, Eye::left}};
+    if (swapsEyes_ && !both && wall.wall.stereo != StereoMode::mono)
+      wall.wall.stereo = wall.wall.stereo == StereoMode::left ? StereoMode::right : StereoMode::left;
+    WindowPlacement window = node.window;
+    window.monitor =
+        static_cast<int>(number(display, "monitor", {.least = 0.0, .most = 63.0}, true, room_).value_or(0.0));
+    place(display, window, wall);
+    if (!upperLeft || !lowerLeft || !lowerRight) return;
+    if (!node.sizeGiven) {
+      addWarning(room_, node.part.at,
+                 fmt::format("node '{}' has no resolution: a window of {} × {} pixels is taken",
+                             printable(node.part.name), kAssumedWindow_px.x, kAssumedWindow_px.y));
+    }
+    wall.wall.node = ranks_.of(hostOf(node.part), "", node.part.at);
+    addWall(std::move(wall), {*lowerLeft, *lowerRight, *upperLeft, {"ll", "lr", "ul"}}, room_);
+  }
+
+  std::string hostOf(const Part& node) const {
+    const Part* address = node.find("address");
+    const std::string host = address ? address->text : node.name;
+    return host == "localhost" || host == "127.0.0.1" ? "" : host;
+  }
+
+  /// Viewports are shares of the window, or pixels where a number is above 1, from its top left.
+  void place(const Part& display, const WindowPlacement& window, RoomWall& wall) {
+    const Part* name = display.find("viewport");
+    const Part* viewports = platform_.find("viewports");
+    const Part* viewport = name && viewports ? viewports->find(name->text) : nullptr;
+    if (name && !viewport)
+      addError(room_, name->textAt, fmt::format("there is no viewport '{}'", printable(name->text)));
+    if (!viewport) return placeInWindow(window, {0, 0}, window.size_px, wall, room_);
+    wall.at.pixels = viewport->at;
+    viewport->find("absolute");
+    constexpr Range kPlace{.least = 0.0, .most = kMostRoomPixels};
+    std::array<double, 4> values{};
+    constexpr std::array<std::string_view, 4> kNames{"x", "y", "width", "height"};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!viewport->find(kNames[i]))
+        addError(room_, viewport->at, fmt::format("{} is missing in viewport", kNames[i]));
+      values[i] = number(*viewport, kNames[i], kPlace, false, room_).value_or(i < 2 ? 0.0 : 1.0);
+    }
+    const bool isShare = std::all_of(values.begin(), values.end(), [](double value) { return value <= 1.0; });
+    const glm::dvec2 scale = isShare ? glm::dvec2(window.size_px) : glm::dvec2(1.0);
+    const glm::dvec2 low = glm::dvec2(values[0], values[1]) * scale;
+    const glm::ivec2 position_px(glm::round(low));
+    const glm::ivec2 end_px(glm::round(low + glm::dvec2(values[2], values[3]) * scale));
+    placeInWindow(window, position_px, glm::max(end_px - position_px, glm::ivec2(1)), wall, room_);
+  }
+
+  void nameUnused() {
+    for (const Part& part : platform_.parts) {
+      if (part.isRead && !alike(part.name, "displays")) nameUnread(part, kQuiet, room_);
+    }
+    const Part* displays = platform_.find("displays");
+    for (const Part& display : displays ? displays->parts : std::vector<Part>()) {
+      if (!display.isRead)
+        addWarning(room_, display.at,
+                   fmt::format("display '{}' is left out: no node shows it", printable(display.name)));
+    }
+    for (const char* input : {"input", "tuio"}) {
+      if (const Part* found = platform_.find(input))
+        addWarning(room_, found->at, fmt::format("{} is left out: it has no place in a rig", input));
+    }
+  }
+
+  const Part& platform_;
+  Room& room_;
+  Ranks ranks_;
+  StereoMode mode_ = StereoMode::mono;
+  bool swapsEyes_ = false;
+  double separation_m_ = kEyeSeparation_m;
+  FilePlace separationAt_{};
+  std::string headName_;
+};
+
+}  // namespace
+
+Room readHevs(const std::filesystem::path& file, const Part& root, const std::string& platform) {
+  Room room = roomOfFormat(file, "a HEVS room", "m", 1.0);
+  refuseTwinMembers(root, room);
+  const Part* platforms = root.find("platforms");
+  std::vector<std::string> names;
+  std::vector<FilePlace> places;
+  for (const Part& each : platforms->parts) {
+    names.push_back(each.name);
+    places.push_back(each.at);
+  }
+  if (names.empty()) {
+    addError(room, platforms->at, "there is no platform here, expected one at least with a wall");
+    room.viewers.push_back({});
+    return room;
+  }
+  const Part& chosen = platforms->parts[chooseRoom(names, places, platform, file)];
+  room.title = printable(chosen.name);
+  const Part whole = Inheritance(*platforms, room).of(chosen);
+  HevsPlatform(whole, room).read();
+  room.assumptions.push_back("the file is left-handed, x right, y up, z forward: it is turned to z back");
+  room.assumptions.push_back("each node is drawn by an MPI rank, the master first if it has walls");
+  finishRoom("a display of type offaxis that a node shows", room);
+  return room;
+}
+
+}  // namespace carom

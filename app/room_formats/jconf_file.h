@@ -1,0 +1,16 @@
+#pragma once
+// Reads VR Juggler's configurations (.jconf, version 3 of its XML): display windows with surface viewports,
+// users, position proxies and devices. Metres, x right, y up, z back.
+
+#include <filesystem>
+
+#include "app/room_formats/part.h"
+#include "app/room_import/room.h"
+
+namespace carom {
+
+/// Reads the configuration from the file's content. Faults of single values become findings and their walls
+/// are left out, as are simulators. Throws InputErrors if an included file cannot be read.
+Room readJconf(const std::filesystem::path& file, Part root);
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+#pragma once
+// Plays soft bodies ahead of time on a thread of its own, so that a bounce, which is many small steps, holds
+// up no frame. c = 1, metres, board frame.
+//
+// The thread plays slice after slice from a given state, and keeps what each leads to until it is taken. Its
+// slices are those that SoftPlay::playSlice makes, bit for bit, whenever they were
+// made. A stroke or a body that comes in, of which the thread cannot know, makes them void: then it starts
+// anew from the state with that in it.
+// Theory: app/doc/physics.md, Soft bodies.
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "engine/billiard/soft_row_book.h"
+#include "engine/soft/soft_play.h"
+
+namespace carom {
+
+class SoftAhead {
+ public:
+  static constexpr double kFarthest = 0.6;  ///< how far ahead it plays
+
+  /// What a slice leads to: the state after it, and the rows that it gave.
+  struct Slice {
+    std::shared_ptr<const SoftPlay::Snapshot> play;
+    SoftRowBook::Snapshot recorders;
+    SoftRows rows;
+  };
+
+  explicit SoftAhead(const std::vector<SoftCushion>& cushions);
+
+  /// Plays on from this state; slices that have not been taken are void.
+  void start(Slice from);
+  /// Returns the next slice, and waits for it if it is still to be played. Throws what the
+  /// thread has thrown.
+  Slice take();
+
+ private:
+  void run(const std::stop_token& stop);
+
+  Slice playSlice();
+
+  SoftPlay play_;  // the thread's, as the next
+  SoftRowBook rows_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::optional<Slice> start_;  // to start from, until the thread has taken it
+  std::deque<Slice> ahead_;
+  std::exception_ptr failure_;
+  std::jthread thread_;  // last: it uses the rest
+};
+
+}  // namespace carom

@@ -1,0 +1,86 @@
+#include "app/room_formats/room_kind.h"
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "app/room_formats/read_room.h"
+
+namespace carom {
+namespace {
+
+using test::refusalOf;
+using test::TemporaryFolder;
+
+const std::filesystem::path kRooms = CAROM_TESTS_DIR "/data/rooms";
+
+TEST(RoomKind, IsToldByContent) {
+  const TemporaryFolder folder;
+  const std::string xml = "<Cluster><Node><Window><Size x='9' y='9'/></Window></Node></Cluster>";
+  EXPECT_EQ(readForeignRoom(folder.file("a.xml", xml)).format, "an SGCT room");
+  EXPECT_EQ(readForeignRoom(folder.file("a.eqc", xml)).format, "an SGCT room");
+  EXPECT_EQ(readForeignRoom(folder.file("b.xml", "<COCONFIG/>")).format, "an OpenCOVER room");
+  EXPECT_EQ(readForeignRoom(folder.file("c.xml", "<configuration/>")).format, "a VR Juggler room");
+  EXPECT_EQ(readForeignRoom(folder.file("d.xml", "<virtualEnvironment/>")).format, "a BlenderCAVE room");
+  EXPECT_EQ(readForeignRoom(folder.file("e.json", "{\"nDisplay\": {}}")).format, "an nDisplay room");
+  EXPECT_EQ(readForeignRoom(folder.file("f.txt", "# words\n[screen] id=a\n")).format, "an nDisplay room");
+  EXPECT_EQ(readForeignRoom(folder.file("g.txt", "# words\nserver\n{\n}\n")).format, "an Equalizer room");
+  EXPECT_EQ(readForeignRoom(folder.file("h.xml", "<pvx/>")).format, "a ParaView room");
+  EXPECT_TRUE(isForeignRoom(folder.file("i", xml)));
+  EXPECT_FALSE(isForeignRoom(folder.file("j", "title = 'a rig'\n")));
+  EXPECT_FALSE(isForeignRoom(folder.file("k.toml", xml)));
+}
+
+TEST(RoomKind, WhatFitsNoneIsToldWhatWasLookedFor) {
+  for (const auto& [name, text] : std::map<std::string, std::string>{{"a.xml", "<html/>"},
+                                                                     {"b.json", "{\"a\": 1}"},
+                                                                     {"c.eqc", "words\n"},
+                                                                     {"d.cfg", "[other] a=1\n"}}) {
+    const std::string said = refusalOf(name, text);
+    EXPECT_EQ(said.rfind("1:1: ", 0), 0u) << said;
+    EXPECT_NE(said.find("OpenCOVER"), std::string::npos) << said;
+    EXPECT_NE(said.find("HEVS"), std::string::npos) << said;
+  }
+}
+
+TEST(RoomKind, DeepXmlAndWholeEntitiesAreRefused) {
+  std::string deep = "<COCONFIG>";
+  for (int i = 0; i < 32; ++i) deep += "\n<a>";
+  EXPECT_NE(refusalOf("a.xml", deep).find("33:1: elements are nested too deep, expected at most 32"),
+            std::string::npos);
+  EXPECT_NE(refusalOf("b.xml", "<!DOCTYPE a [<!ENTITY % p 'x'>]>\n<COCONFIG/>").find("defines an entity"),
+            std::string::npos);
+}
+
+/// The corners of real rooms, read from their files by another program.
+TEST(RoomKind, CornersOfRealRoomsAreThoseOfAnIndependentReading) {
+  std::ifstream rows(kRooms / "corners.jsonl");
+  std::map<std::pair<std::string, std::string>, Room> rooms;
+  std::map<std::string, std::size_t> expected;
+  for (std::string row; std::getline(rows, row);) {
+    const auto wall = nlohmann::json::parse(row);
+    const std::string file = wall["file"], name = wall["room"];
+    const auto key = std::pair(file, name);
+    if (!rooms.contains(key)) rooms.emplace(key, readForeignRoom(kRooms / file, name));
+    ++expected[file + name];
+    const auto point = [&](const char* corner) {
+      return glm::dvec3(wall[corner][0], wall[corner][1], wall[corner][2]);
+    };
+    const bool found =
+        std::any_of(rooms[key].walls.begin(), rooms[key].walls.end(), [&](const RoomWall& read) {
+          constexpr double kNear_m = 1e-5;
+          return glm::distance(read.wall.lowerLeft_m, point("lower_left")) < kNear_m &&
+                 glm::distance(read.wall.lowerRight_m, point("lower_right")) < kNear_m &&
+                 glm::distance(read.wall.upperLeft_m, point("upper_left")) < kNear_m;
+        });
+    EXPECT_TRUE(found) << row;
+  }
+  ASSERT_EQ(rooms.size(), 9u);
+  for (const auto& [key, room] : rooms) {
+    EXPECT_EQ(room.walls.size(), expected[key.first + key.second]) << key.first;
+    EXPECT_FALSE(room.hasErrors()) << key.first;
+  }
+}
+
+}  // namespace
+}  // namespace carom
