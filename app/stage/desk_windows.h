@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/files/rig.h"
-#include "app/files/window_memory.h"
+#include "app/stage/window_memory.h"
 #include "cave/display/monitors.h"
 #include "cave/room/wall.h"
 

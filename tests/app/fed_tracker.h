@@ -32,7 +32,7 @@ class FedTracker : public Tracker {
 
   std::vector<TrackerSample> fed;
   std::vector<Reading> readings;
-  TrackerHealth fares{TrackerHealth::State::delivering, {}};
+  TrackerHealth fares{TrackerHealth::State::delivering, {}, {}, {}};
 
  private:
   static Reading reading(Reading::Kind kind, int sensor, int index, double value) {

@@ -11,9 +11,9 @@ vec3 codeOf(vec3 light) {
   return mix(high, low, vec3(lessThanEqual(light, vec3(0.0031308))));
 }
 
-// The cubic of Catmull and Rom through four texels each way; where more than 1.25 of them are shown by a pixel it would
-// raise the contrast of fine stripes, and is mixed with the linear filter. The two texels in the middle, whose weights
-// have one sign, are taken together.
+// The cubic of Catmull and Rom through four texels each way; where more than 1.25 of them are shown by a
+// pixel it would raise the contrast of fine stripes, and is mixed with the linear filter. The two texels in
+// the middle, whose weights have one sign, are taken together.
 vec3 lightAt(vec2 place) {
   vec2 size = vec2(textureSize(piece, 0));
   vec2 at = place * size, middle = floor(at - 0.5) + 0.5, f = at - middle;

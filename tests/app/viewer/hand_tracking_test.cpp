@@ -161,7 +161,7 @@ TEST(HandTracking, ButtonsOfATrackerThatIsGoneAreLetGo) {
   EXPECT_EQ(hand.frame().down, 1u);
   hand.frames(20);
   EXPECT_EQ(hand.tracking->devices().wand.down, 1u) << "it says nothing while nothing changes";
-  hand.box->fares = {TrackerHealth::State::connecting, "it hung up"};
+  hand.box->fares = {TrackerHealth::State::connecting, "it hung up", {}, {}};
   hand.frames(20);
   EXPECT_EQ(hand.tracking->devices().wand.down, 0u);
   hand.frames(150);

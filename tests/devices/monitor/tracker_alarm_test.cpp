@@ -29,7 +29,12 @@ std::vector<std::pair<double, std::string>> said(const std::function<TrackerHeal
   return lines;
 }
 
-TrackerHealth healthOf(State state, std::string message = {}) { return {state, std::move(message)}; }
+TrackerHealth healthOf(State state, std::string message = {}) {
+  TrackerHealth health;
+  health.state = state;
+  health.message = std::move(message);
+  return health;
+}
 
 TEST(TrackerAlarm, SaysNothingWhileAllIsWell) {
   const auto brief = [](double now_s) {  // silent for three seconds

@@ -72,7 +72,8 @@ TEST(TrackerReport, TheLampShowsWhatIsToBeLookedAt) {
   EXPECT_EQ(headWords(report), "") << "no head";
   report.health.message = "its clock stands";
   EXPECT_EQ(lampOf(report), TrackerLamp::doubtful);
-  report.health = {TrackerHealth::State::silent, {}};
+  report.health = TrackerHealth();
+  report.health.state = TrackerHealth::State::silent;
   EXPECT_EQ(lampOf(report), TrackerLamp::doubtful);
   report.health.state = TrackerHealth::State::failed;
   EXPECT_EQ(lampOf(report), TrackerLamp::bad);

@@ -1,4 +1,4 @@
-#include "app/files/window_memory.h"
+#include "app/stage/window_memory.h"
 
 #include <gtest/gtest.h>
 
