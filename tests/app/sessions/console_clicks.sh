@@ -6,7 +6,7 @@ needs xdotool sqlite3
 
 # Where the console is, and in it the middles of what is clicked (app/console/console.cpp lays it out).
 left=20 top=20
-retardation="221 168" my_light="230 339" board_now="31 421" keys="1060 42" black="1185 42" again="500 717"
+retardation="209 168" my_light="224 339" board_now="31 421" keys="1060 42" black="1185 42" again="500 717"
 
 sed "s/^pixels = .*/pixels = [64, 36]/; s/^window = .*/window = { position = [1500, 900], size = [64, 36] }/" \
   "$config/rigs/single-screen.toml" >"$out/room.toml"

@@ -88,7 +88,7 @@ std::vector<double> crossings_m(const Wall& wall, const Image& image, const glm:
 
 void expectSame(const std::vector<double>& one_m, const std::vector<double>& other_m, double halfPixel_m) {
   ASSERT_EQ(one_m.size(), other_m.size());
-  ASSERT_GE(one_m.size(), 5u);  // 3 m of edge, a line every half metre, perhaps one cut off at an end
+  ASSERT_GE(one_m.size(), 2u);  // 1.3 m of edge at least, a line every half metre
   for (std::size_t i = 0; i < one_m.size(); ++i) EXPECT_NEAR(one_m[i], other_m[i], halfPixel_m) << i;
 }
 
