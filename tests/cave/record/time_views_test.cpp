@@ -42,7 +42,7 @@ class TimeViewsTest : public testing::Test {
              const Wall& wall) {
     graphics_.makeCurrent();
     RenderTarget picture(wall.pixels);
-    const std::array<PicturedWall, 1> walls{{{&wall, &picture}}};
+    const std::array<PicturedWall, 1> walls{{{&wall, &picture, nullptr, wall.pixels.x / 2}}};
     view.draw(record, world, record.viewers[0].observer, eye, walls);
     graphics_.makeCurrent();
     return readBack(picture);
