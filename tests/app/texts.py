@@ -25,7 +25,7 @@ NOT_SHOWN = {
     # messages of the command line and of the log stand beside the code whose facts they name
     "note", "warn", "runtime_error", "invalid_argument",
     # names of programs, uniforms and attributes of shaders
-    "makeProgram", "place", "at", "setUniform", "glGetUniformLocation", "stream_",
+    "makeProgram", "place", "at", "setUniform", "glGetUniformLocation", "stream_", "corners_",
     # names of commands and notes of a session file
     "keyFor", "Box", "kDriveModes", "decision.notes.push_back",
 }

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -37,10 +39,17 @@ std::size_t countFrom(const char* variable, std::size_t otherwise) {
   return text ? std::strtoul(text, nullptr, 10) : otherwise;
 }
 
+/// Whether a file is a game with soft pucks, which takes minutes to play and is seen by its rows (SeenRows).
+bool isSoft(const std::filesystem::path& file) {
+  std::ifstream content(file);
+  const std::string text(std::istreambuf_iterator<char>(content), {});
+  return text.find("[puck.soft]") != std::string::npos;
+}
+
 std::vector<std::filesystem::path> shipped(const char* folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR + std::string(folder)))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    if (entry.path().extension() == ".toml" && !isSoft(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }

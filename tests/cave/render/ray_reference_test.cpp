@@ -100,6 +100,12 @@ bool hasManyCorners(const Scenario& scenario) {
   return corners > kMost;
 }
 
+/// Whether the game has soft pucks, which take minutes to play and are seen by their rows (SeenRows, SoftPictures).
+bool isSoft(const Scenario& scenario) {
+  return std::any_of(scenario.billiard.pucks.begin(), scenario.billiard.pucks.end(),
+                     [](const Puck& puck) { return puck.soft.has_value(); });
+}
+
 /// Times of the target (c t) to look at: before its first bounce, during it, after it; or one if there is
 /// none.
 std::vector<double> interestingTimes(const ReferenceBody& target, const Vec3& fromTarget_m, double c_m_s) {
@@ -140,7 +146,7 @@ TEST_F(RayReference, SilhouettesOfEveryShippedScenario) {
   EXPECT_GE(files.size(), 2U);
   Comparison all, allFine;
   for (const std::filesystem::path& file : files) {
-    if (hasManyCorners(readScenario(file))) continue;
+    if (hasManyCorners(readScenario(file)) || isSoft(readScenario(file))) continue;
     const Game game = play(file);
     if (game.bodies.empty()) continue;
     const double c_m_s = game.scenario.billiard.lightSpeed_m_s;
