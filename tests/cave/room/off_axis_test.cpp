@@ -30,10 +30,11 @@ Wall wallOf(const glm::dvec3& lowerLeft, const glm::dvec3& lowerRight, const glm
 /// Each file of config/rigs.
 std::vector<Rig> shippedRigs() {
   std::vector<Rig> rigs;
-  for (const auto& file : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/rigs"))
+  for (const auto& file : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/rigs")) {
     Rig rig = readRig(file.path());
     if (!isHeadset(rig)) rig.walls = standingWalls(rig);  // the flat pieces of curved screens
     rigs.push_back(std::move(rig));
+  }
   return rigs;
 }
 
