@@ -100,7 +100,8 @@ bool hasManyCorners(const Scenario& scenario) {
   return corners > kMost;
 }
 
-/// Whether the game has soft pucks, which take minutes to play and are seen by their rows (SeenRows, SoftPictures).
+/// Whether the game has soft pucks, which take minutes to play and are seen by their rows (SeenRows,
+/// SoftPictures).
 bool isSoft(const Scenario& scenario) {
   return std::any_of(scenario.billiard.pucks.begin(), scenario.billiard.pucks.end(),
                      [](const Puck& puck) { return puck.soft.has_value(); });

@@ -238,7 +238,7 @@ TEST(OffAxis, WallsOfShippedRigsMeetWithoutASeam) {
   for (Rig rig : shippedRigs()) {
     SCOPED_TRACE(rig.title);
     if (isHeadset(rig) || rig.walls.front().piece > 0) continue;  // walls on the head; pieces that overlap
-    std::vector<Wall> screens;     // once each, however many walls of the rig are on them
+    std::vector<Wall> screens;  // once each, however many walls of the rig are on them
     for (const Wall& wall : rig.walls) {
       const auto isThere = [&](const Wall& screen) { return standSame(screen, wall); };
       if (std::none_of(screens.begin(), screens.end(), isThere)) screens.push_back(wall);
