@@ -17,6 +17,9 @@ using namespace declare;
 
 constexpr std::string_view kMesh =
     "any format VTK reads; looked for beside this file, then in the configuration folder";
+constexpr std::string_view kBodyMesh =
+    "any format VTK reads, as of a puck; without it a rod of 1 m along x is drawn, or nothing of a body that "
+    "holds a soft puck";
 constexpr std::string_view kBeta = "v/c; magnitude below 1";
 
 FileKey place(std::string_view name, std::string_view sentence) { return numbers(name, 3, {}, sentence); }
@@ -145,7 +148,7 @@ FileKey body() {
   leg.notInFirst = "from_s";
   FileKey keys = tables(
       "body", "moves as told, collides with nothing",
-      {required(text("name", "unique")), text("mesh", kMesh),
+      {required(text("name", "unique")), text("mesh", kBodyMesh),
        text("history",
             "instead of at and leg: a table t_s,x0_m,y0_m,z0_m,x1_m,… with a row a board time; the vertices "
             "move "

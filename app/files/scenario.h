@@ -36,6 +36,7 @@ struct ScriptedBody {
   /// 0 at `appears_s` if the file gives it, otherwise at board time 0.
   WorldLine worldLine;
   std::optional<std::filesystem::path> mesh;  ///< existing file; in metres, in the body's rest frame
+  bool isDrawn = true;                        ///< not without a mesh, if it holds the side of a soft puck
 };
 
 /// A body that moves and deforms as told, and collides with nothing.

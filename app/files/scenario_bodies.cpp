@@ -272,7 +272,7 @@ ToldBody toldBody(const BodyText& body, double c_m_s) {
 }
 
 ScriptedBody scriptedBody(const BodyText& body, double c_m_s) {
-  return {body.name, scriptedWorldLine(body, c_m_s), body.mesh};
+  return {body.name, scriptedWorldLine(body, c_m_s), body.mesh, body.mesh || !body.holds};
 }
 
 }  // namespace carom

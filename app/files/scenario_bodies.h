@@ -27,6 +27,7 @@ struct BodyText {
   std::optional<double> appears_s;
   double spin_rad_s = 0.0;
   std::vector<ScriptedLeg> legs;
+  bool holds = false;  ///< the side of a soft puck
 };
 
 /// Returns the mesh file that a puck or body names, if any.

@@ -45,8 +45,8 @@ double closing(const Vec2& a, const Vec2& b) {
   return std::sqrt(std::max(0.0, 1.0 - 1.0 / (gamma * gamma)));
 }
 
-void holdSide(const TomlTable& table, bool isPlusX, const std::string& by,
-              const std::vector<BodyText>& bodies, double c_m_s, Puck& puck) {
+void holdSide(const TomlTable& table, bool isPlusX, const std::string& by, std::vector<BodyText>& bodies,
+              double c_m_s, Puck& puck) {
   SoftMatter::HeldSide side{isPlusX, {}};
   const auto body =
       std::find_if(bodies.begin(), bodies.end(), [&](const BodyText& one) { return one.name == by; });
@@ -81,6 +81,7 @@ void holdSide(const TomlTable& table, bool isPlusX, const std::string& by,
     side.turns.push_back({body->legs[k].from_s, betaOf(body->legs[k])});
   }
   puck.soft->held.push_back(side);
+  body->holds = true;
 }
 
 }  // namespace
@@ -108,8 +109,7 @@ void readSoft(const TomlTable& table, Puck& puck) {
   puck.soft = matter;
 }
 
-void holdSides(BilliardSetup& setup, const std::vector<TomlTable>& tables,
-               const std::vector<BodyText>& bodies) {
+void holdSides(BilliardSetup& setup, const std::vector<TomlTable>& tables, std::vector<BodyText>& bodies) {
   for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
     const std::optional<TomlTable> soft = tables[i].table("soft");
     if (!soft || !soft->has("held")) continue;

@@ -100,7 +100,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   }
   std::vector<BodyLooks> told;
   for (const ScriptedBody& body : scenario.bodies)
-    told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}, {}});
+    told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}, {}, body.isDrawn});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);

@@ -233,6 +233,10 @@ void addBodies(Scene& scene, std::span<const BodyLooks> pucks, std::span<const B
   for (std::size_t i = 0; i < told.size(); ++i) {
     const glm::vec3 colour = colourOf(told[i].name, i);
     ++body;
+    if (!told[i].isDrawn) {
+      scene.reach_m.push_back(0.0);
+      continue;
+    }
     add("Body", told[i], builtTold.of(told[i], body, colour, [&] {
       return buildBody(told[i], body, colour, shared,
                        [&](double cell_m) { return std::vector<ScenePart>{rodPart(body, colour, cell_m)}; });

@@ -62,6 +62,7 @@ struct BodyLooks {
   double height_m = 0.0;                 ///< of the built-in puck
   std::vector<glm::dvec2> outline_m{};   ///< corners of the built-in puck; none: a disc
   std::optional<MeshPlace> meshPlace{};  ///< of a mesh that is not scaled to the radius
+  bool isDrawn = true;
 };
 
 }  // namespace carom

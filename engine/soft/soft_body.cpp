@@ -31,7 +31,7 @@ struct Arrays {
   const double *b0x, *b0y, *b1x, *b1y, *b2x, *b2y, *mass, *altitude;
   const double *x, *y, *vx, *vy;
   double a, z;
-  double *f0x, *f0y, *f1x, *f1y, *f2x, *f2y, *sxx, *sxy, *syy;
+  double *f0x, *f0y, *f1x, *f1y, *f2x, *f2y, *sxx, *sxy, *syy, *power;
 };
 
 /// The equations of soft_body.h, one triangle after the other, in vectors where the processor has them.
@@ -91,6 +91,8 @@ struct Arrays {
     in.f1y[t] = f1y;
     in.f2x[t] = -(f0x + f1x);
     in.f2y[t] = -(f0y + f1y);
+    in.power[t] =
+        (f0x * (v0x - v2x) + f0y * (v0y - v2y) + f1x * (v1x - v2x) + f1y * (v1y - v2y)) * (1.0 / 3.0);
   }
 }
 
@@ -173,6 +175,7 @@ SoftBody::SoftBody(std::shared_ptr<const SoftMesh> mesh, const SoftMaterial& mat
   const std::size_t count = triangles_.mass.size(), nodes = mesh_->places().size();
   for (std::size_t k = 0; k < 3; ++k) triangles_.forceX[k].resize(count), triangles_.forceY[k].resize(count);
   triangles_.stressXX.resize(count), triangles_.stressXY.resize(count), triangles_.stressYY.resize(count);
+  triangles_.power.resize(count);
 
   const double vx = u.x / u.t, vy = u.y / u.t, share = contraction(vx, vy);
   for (std::size_t i = 0; i < nodes; ++i) {
@@ -188,8 +191,8 @@ SoftBody::SoftBody(std::shared_ptr<const SoftMesh> mesh, const SoftMaterial& mat
     state_.clock.push_back(0.0);
   }
   tried_ = state_;
-  for (std::vector<double>* each :
-       {&middleX_, &middleY_, &forceX_, &forceY_, &stressXX_, &stressXY_, &stressYY_, &pushX_, &pushY_}) {
+  for (std::vector<double>* each : {&middleX_, &middleY_, &forceX_, &forceY_, &power_, &gained_, &stressXX_,
+                                    &stressXY_, &stressYY_, &pushX_, &pushY_}) {
     each->resize(nodes);
   }
   gatherForces(state_.vx, state_.vy);
@@ -223,7 +226,8 @@ void SoftBody::gatherForces(const std::vector<double>& vx, const std::vector<dou
                   t.forceY[2].data(),
                   t.stressXX.data(),
                   t.stressXY.data(),
-                  t.stressYY.data()};
+                  t.stressYY.data(),
+                  t.power.data()};
   switch (instructions_) {
     case InstructionSet::avx512:
       forcesAvx512(in);
@@ -235,17 +239,19 @@ void SoftBody::gatherForces(const std::vector<double>& vx, const std::vector<dou
       forcesBaseline(in);
   }
   for (std::size_t i = 0; i < size(); ++i) {
-    double fx = pushX_[i], fy = pushY_[i], xx = 0.0, xy = 0.0, yy = 0.0;
+    double fx = pushX_[i], fy = pushY_[i], power = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
     for (const SoftMesh::Corner& corner : mesh_->cornersOf(i)) {
       const auto c = static_cast<std::size_t>(corner.triangle), k = static_cast<std::size_t>(corner.corner);
       fx += t.forceX[k][c];
       fy += t.forceY[k][c];
+      power += t.power[c];
       xx += t.stressXX[c];
       xy += t.stressXY[c];
       yy += t.stressYY[c];
     }
     forceX_[i] = fx;
     forceY_[i] = fy;
+    power_[i] = fx * vx[i] + fy * vy[i] - power;
     stressXX_[i] = xx;
     stressXY_[i] = xy;
     stressYY_[i] = yy;
@@ -399,7 +405,8 @@ void SoftBody::tryStep(double dt, bool middle) {
   for (std::size_t i = 0; i < size(); ++i) {
     tried_.px[i] = state_.px[i] + dt * forceX_[i];
     tried_.py[i] = state_.py[i] + dt * forceY_[i];
-    tried_.e[i] = state_.e[i];
+    tried_.e[i] = state_.e[i] + dt * power_[i];
+    gained_[i] = 0.0;
   }
   invert(tried_.px, tried_.py, tried_.e, tried_.vx, tried_.vy);
 }
@@ -421,11 +428,11 @@ void SoftBody::commit(double dt) {
     }
     const double third = (power[0] + power[1] + power[2]) * (1.0 / 3.0);
     for (std::size_t k = 0; k < 3; ++k)
-      tried_.e[static_cast<std::size_t>(t.node[k][c])] += dt * (power[k] - third);
+      gained_[static_cast<std::size_t>(t.node[k][c])] += dt * (power[k] - third);
   }
   for (std::size_t i = 0; i < size(); ++i) {
     const double x = middleX_[i], y = middleY_[i];
-    state_.e[i] = tried_.e[i];
+    state_.e[i] += gained_[i];
     state_.clock[i] += dt * std::sqrt(1.0 - x * x - y * y);
   }
   for (std::size_t i = 0; isPushed_ && i < size(); ++i) {

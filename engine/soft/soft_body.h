@@ -115,19 +115,23 @@ class SoftBody {
   /// The parts of a step, in their order (soft_group.cpp). All nodes drift with their velocities.
   void drift(double dt);
   /// Computes the forces at the places and the velocities of the start (`middle` false) or of the middle of
-  /// the step, and the momenta and velocities with which the step would end.
+  /// the step, and the momenta, energies and velocities with which the step would end.
   void tryStep(double dt, bool middle);
   /// Takes the mean of the velocities at the start and at the end as those of the middle.
   void setMiddle();
   /// Ends the step with the momenta tried last.
   void commit(double dt);
 
-  /// What a contact may change while a step is tried: momentum, energy and velocity of a node at its end.
+  /// A node at the end of the step that is tried: its momentum and velocity, which a contact may change, its
+  /// energy without contacts, and the energy that contacts give it.
   struct Trial {
-    double &px, &py, &e, &ux, &uy;
+    double &px, &py;
+    const double& e;
+    double &gained, &ux, &uy;
   };
   Trial trial(std::size_t node) {
-    return {tried_.px[node], tried_.py[node], tried_.e[node], tried_.vx[node], tried_.vy[node]};
+    return {tried_.px[node], tried_.py[node], tried_.e[node],
+            gained_[node],   tried_.vx[node], tried_.vy[node]};
   }
   /// Returns the part of a node's momentum that its stress carries at a velocity, L(v) τ v.
   glm::dvec2 stressMomentum(std::size_t node, const glm::dvec2& v) const;
@@ -164,6 +168,7 @@ class SoftBody {
     std::array<std::vector<double>, 3> gradientX, gradientY;
     std::vector<double> mass, altitude;
     std::array<std::vector<double>, 3> forceX, forceY;  ///< on the corners
+    std::vector<double> power;                          ///< ⅓ Σ_j f_jc·v_j
     std::vector<double> stressXX, stressXY, stressYY;   ///< (m_c/3) P F'ᵀ
   };
 
@@ -173,8 +178,9 @@ class SoftBody {
   InstructionSet instructions_;
   Triangles triangles_;
   State state_, tried_;
-  std::vector<double> middleX_, middleY_;  // velocities
-  std::vector<double> forceX_, forceY_;    // on the nodes
+  std::vector<double> middleX_, middleY_;        // velocities
+  std::vector<double> forceX_, forceY_, power_;  // on the nodes
+  std::vector<double> gained_;                   // energy, from contacts
   std::vector<double> stressXX_, stressXY_, stressYY_;
   std::vector<double> pushX_, pushY_;
   bool isPushed_ = false;

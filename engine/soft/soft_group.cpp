@@ -10,9 +10,10 @@
 namespace carom {
 namespace {
 
-constexpr int kPasses = 4;         // over the touches of a stage
-constexpr int kHalvings = 4;       // of a step that cannot be followed
-constexpr double kCooling = 1e-3;  // of a body's mass, by which its heat must not fall in a step
+constexpr int kPasses = 4;                // over the touches of a stage
+constexpr double kNearShare = 1.0 / 3.0;  // of the longest step of bodies that fly alone
+constexpr int kHalvings = 4;              // of a step that cannot be followed
+constexpr double kCooling = 1e-3;         // of a body's mass, by which its heat must not fall in a step
 
 /// The box around a hull.
 struct Box {
@@ -57,7 +58,7 @@ void SoftGroup::findTouches(std::size_t body, std::size_t other) {
   for (const int node : own.mesh().hull()) {
     const glm::dvec2 place = own.place(static_cast<std::size_t>(node));
     if (!box.holds(place) || !holds(its, place)) continue;
-    Touch touch{body, static_cast<std::size_t>(node), other, 0, 0, 0.0, 0.0, 0.0, {}};
+    Touch touch{body, static_cast<std::size_t>(node), other, 0, 0, 0.0, 0.0, 0.0, {}, 0.0};
     double least = std::numeric_limits<double>::infinity();
     auto from = static_cast<std::size_t>(hull.back());
     for (const int next : hull) {
@@ -138,11 +139,12 @@ void SoftGroup::meetCushions(double dt, bool counts) {
   }
 }
 
-/// Exchanges momentum and energy at a touch. Returns whether the two approached.
-bool SoftGroup::meet(const Touch& touch, double dt, bool counts) {
-  SoftBody &own = *bodies_[touch.body], &its = *bodies_[touch.other];
+/// Exchanges momentum at a touch. Returns whether the two approached.
+bool SoftGroup::meet(Touch& touch) {
   const glm::dvec2& n = touch.normal;
-  const SoftBody::Trial i = own.trial(touch.node), j = its.trial(touch.edgeFrom), k = its.trial(touch.edgeTo);
+  SoftBody& its = *bodies_[touch.other];
+  const SoftBody::Trial i = bodies_[touch.body]->trial(touch.node), j = its.trial(touch.edgeFrom),
+                        k = its.trial(touch.edgeTo);
   const double wj = touch.shareFrom, wk = touch.shareTo;
   const double ownSpeed = i.ux * n.x + i.uy * n.y;
   const double edgeSpeed = wj * (j.ux * n.x + j.uy * n.y) + wk * (k.ux * n.x + k.uy * n.y);
@@ -150,34 +152,63 @@ bool SoftGroup::meet(const Touch& touch, double dt, bool counts) {
   const double edgeEnergy = 1.0 / (wj * wj / j.e + wk * wk / k.e);
   const double V = (i.e * ownSpeed + edgeEnergy * edgeSpeed) / (i.e + edgeEnergy);
   const double lambda = i.e * (V - ownSpeed) / (1.0 - V * V);
-  const double changeJ = wj * (edgeEnergy / j.e) * (V - edgeSpeed),
-               changeK = wk * (edgeEnergy / k.e) * (V - edgeSpeed);
-  // Mean normal velocities, from the beginning of the step: with the candidate's, a lasting contact would
-  // heat its nodes.
-  const double muI = 0.5 * (glm::dot(own.velocity(touch.node), n) + V);
-  const double muJ = 0.5 * (glm::dot(its.velocity(touch.edgeFrom), n) + (j.ux * n.x + j.uy * n.y) + changeJ);
-  const double muK = 0.5 * (glm::dot(its.velocity(touch.edgeTo), n) + (k.ux * n.x + k.uy * n.y) + changeK);
-  const double rest = 0.5 * lambda * (wj * muJ + wk * muK - muI);
-  const auto take = [&n](const SoftBody::Trial& trial, double impulse, double energy, double change) {
+  touch.impulse += lambda;
+  const auto take = [&n](const SoftBody::Trial& trial, double impulse, double change) {
     trial.px += impulse * n.x;
     trial.py += impulse * n.y;
-    trial.e += energy;
     trial.ux += change * n.x;
     trial.uy += change * n.y;
   };
-  if (counts) {
-    const bool inOrder = touch.body < touch.other;
-    SoftExchange& noted =
-        exchange(inOrder ? touch.body : touch.other, inOrder ? touch.other : touch.body, SoftExchange::kNone);
-    noted.impulse += (inOrder ? lambda : -lambda) * n;
-    const double closing = glm::dot(
-        wj * its.velocity(touch.edgeFrom) + wk * its.velocity(touch.edgeTo) - own.velocity(touch.node), n);
-    noteArrival(noted, dt, touch.depth, closing, own.place(touch.node) + touch.depth * n);
-  }
-  take(i, lambda, lambda * muI + rest, V - ownSpeed);
-  take(j, -wj * lambda, -wj * lambda * muJ + wj * rest, changeJ);
-  take(k, -wk * lambda, -wk * lambda * muK + wk * rest, changeK);
+  take(i, lambda, V - ownSpeed);
+  take(j, -wj * lambda, wj * (edgeEnergy / j.e) * (V - edgeSpeed));
+  take(k, -wk * lambda, wk * (edgeEnergy / k.e) * (V - edgeSpeed));
   return true;
+}
+
+/// Gives the nodes of a touch the energies of its impulse. Their mean normal velocities begin with those at
+/// the beginning of the step, and end with those after all contacts: otherwise a lasting contact would heat
+/// its nodes.
+void SoftGroup::giveEnergy(const Touch& touch) {
+  const glm::dvec2& n = touch.normal;
+  SoftBody &own = *bodies_[touch.body], &its = *bodies_[touch.other];
+  const auto mean = [&n](SoftBody& body, std::size_t node) {
+    const SoftBody::Trial trial = body.trial(node);
+    return 0.5 * (glm::dot(body.velocity(node), n) + (trial.ux * n.x + trial.uy * n.y));
+  };
+  const double lambda = touch.impulse, wj = touch.shareFrom, wk = touch.shareTo;
+  const double muI = mean(own, touch.node), muJ = mean(its, touch.edgeFrom), muK = mean(its, touch.edgeTo);
+  const double rest = 0.5 * lambda * (wj * muJ + wk * muK - muI);
+  own.trial(touch.node).gained += lambda * muI + rest;
+  its.trial(touch.edgeFrom).gained += -wj * lambda * muJ + wj * rest;
+  its.trial(touch.edgeTo).gained += -wk * lambda * muK + wk * rest;
+}
+
+void SoftGroup::note(const Touch& touch, double dt) {
+  const SoftBody &own = *bodies_[touch.body], &its = *bodies_[touch.other];
+  const glm::dvec2& n = touch.normal;
+  const bool inOrder = touch.body < touch.other;
+  SoftExchange& noted =
+      exchange(inOrder ? touch.body : touch.other, inOrder ? touch.other : touch.body, SoftExchange::kNone);
+  noted.impulse += (inOrder ? touch.impulse : -touch.impulse) * n;
+  const glm::dvec2 edge =
+      touch.shareFrom * its.velocity(touch.edgeFrom) + touch.shareTo * its.velocity(touch.edgeTo);
+  noteArrival(noted, dt, touch.depth, glm::dot(edge - own.velocity(touch.node), n),
+              own.place(touch.node) + touch.depth * n);
+}
+
+/// `counts`: in the stage that holds.
+void SoftGroup::meetTouches(double dt, bool counts) {
+  for (Touch& touch : touches_) touch.impulse = 0.0;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    bool approached = false;
+    for (Touch& touch : touches_) approached = meet(touch) || approached;
+    if (!approached) break;
+  }
+  for (const Touch& touch : touches_) {
+    if (!counts || touch.impulse == 0.0) continue;
+    note(touch, dt);
+    giveEnergy(touch);
+  }
 }
 
 /// Gives the held nodes the velocity V of the told body: λ = (E V − L τ v − π)/(1 − V²) along each axis, E +=
@@ -196,7 +227,7 @@ void SoftGroup::hold(bool counts) {
       const glm::dvec2 impulse = lacks + (1.0 / (1.0 - speed2) - 1.0) * along;
       trial.px += impulse.x;
       trial.py += impulse.y;
-      trial.e += glm::dot(impulse, V);
+      trial.gained += glm::dot(impulse, V);
       if (counts) given_ = given_ + Vec21{glm::dot(impulse, V), impulse.x, impulse.y};
       trial.ux = V.x;
       trial.uy = V.y;
@@ -219,11 +250,7 @@ bool SoftGroup::tryStep(double dt) {
   for (const bool middle : {false, true}) {
     for (SoftBody* body : bodies_) body->tryStep(dt, middle);
     meetCushions(dt, middle);
-    for (int pass = 0; pass < kPasses; ++pass) {
-      bool approached = false;
-      for (const Touch& touch : touches_) approached = meet(touch, dt, middle) || approached;
-      if (!approached) break;
-    }
+    meetTouches(dt, middle);
     hold(middle);
     for (SoftBody* body : bodies_) body->setMiddle();
   }
@@ -243,9 +270,25 @@ bool SoftGroup::tryStep(double dt) {
   return true;
 }
 
+/// Whether the boxes around two hulls are within a reach of each other.
+bool SoftGroup::areNear(double reach) const {
+  std::vector<Box> boxes;
+  for (const SoftBody* body : bodies_) {
+    const Box box = boxOf(*body);
+    for (const Box& other : boxes) {
+      if (box.low.x - other.high.x < reach && other.low.x - box.high.x < reach &&
+          box.low.y - other.high.y < reach && other.low.y - box.high.y < reach)
+        return true;
+    }
+    boxes.push_back(box);
+  }
+  return false;
+}
+
 double SoftGroup::step(double most) {
-  double dt = most;
-  for (const SoftSurvey& survey : surveys_) dt = std::min(dt, survey.longestStep);
+  double longest = std::numeric_limits<double>::infinity();
+  for (const SoftSurvey& survey : surveys_) longest = std::min(longest, survey.longestStep);
+  double dt = std::min(most, areNear(2.0 * longest) ? kNearShare * longest : longest);
   for (std::size_t k = 0; k < bodies_.size(); ++k) before_[k] = bodies_[k]->state();
   impulsesBefore_ = impulses_;
   givenBefore_ = given_;

@@ -3,17 +3,19 @@
 // metres, board frame.
 //
 // A step is the midpoint rule, with contacts in both of its stages:
-//     x += ½dt v;   π* = π + dt f(x, v), contacts;   v̄ = ½(v + v*);   π += dt f(x, v̄), contacts;
+//     x += ½dt v;   π* = π + dt f(x, v), E* = E + dt (power at v), contacts;   v̄ = ½(v + v*);
+//     π += dt f(x, v̄), E* = E + dt (power at v̄), contacts;
 //     v̄ = ½(v + v');   E += dt (power at v̄);   v = v(π, E);   x += ½dt v
 // A contact lets no node go farther in (restitution 0 of the single node); the body's own waves throw it
 // back. A cushion takes momentum and no energy. Node i of one hull, inside the other's hull beside its edge
 // (j, k) with the weights w of the nearest point and the edge's outward normal n, takes λ n while they
 // approach, with
 //     E_e = 1/(w_j²/E_j + w_k²/E_k)    V = (E_i v_i + E_e v_e)/(E_i + E_e)    λ = E_i (V − v_i)/(1 − V²)
-// and the energies λ μ of it, μ the mean of the normal velocities at the beginning of the step and after the
-// contact, such that their sum is 0. Frictionless contact along the board-frame normal with the energy λ V is
-// covariant.
-// Theory: app/doc/physics.md, Soft bodies.
+// and the energies λ μ of it, μ the mean of the normal velocities at the beginning of the step and after all
+// contacts, such that their sum is 0. Frictionless contact along the board-frame normal with the energy λ V
+// is covariant. A node comes to stand as deep in the other body as it goes in a step, and teeth of this depth
+// rub: so bodies near one another take kNearShare of the steps that they would take alone. Theory:
+// app/doc/physics.md, Soft bodies.
 
 #include <cstddef>
 #include <limits>
@@ -94,6 +96,7 @@ class SoftGroup {
     double shareFrom = 0.0, shareTo = 0.0;
     double depth = 0.0;
     glm::dvec2 normal{0.0};
+    double impulse = 0.0;  // λ, of all passes of a stage
   };
 
   bool tryStep(double dt);
@@ -101,7 +104,11 @@ class SoftGroup {
   void findTouches();
   void findTouches(std::size_t body, std::size_t other);
   void meetCushions(double dt, bool counts);
-  bool meet(const Touch& touch, double dt, bool counts);
+  bool meet(Touch& touch);
+  void meetTouches(double dt, bool counts);
+  void note(const Touch& touch, double dt);
+  void giveEnergy(const Touch& touch);
+  bool areNear(double reach) const;
   void hold(bool counts);
   void carryHeld();
 

@@ -1,6 +1,6 @@
 #pragma once
-// A soft puck in a game of its own, with the rows that a node keeps and with every step of its simulation, on
-// which points are solved for by bisection.
+// Soft pucks in games of their own, with the rows that a node keeps and with every step of their simulation,
+// on which points are solved for by bisection.
 
 #include <algorithm>
 #include <cmath>
@@ -40,15 +40,42 @@ inline BilliardSetup bounceAt(double speed, int cells) {
   return setup;
 }
 
-/// The steps of a puck alone: its nodes' places at all times of the simulation, from a play of its own.
+/// Two soft pucks that meet beside their centres, each at `speed`.
+inline BilliardSetup pairAt(double speed, int cells) {
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = kSoftC;
+  setup.board = Board{1.2, 0.8};
+  setup.pucks = {disc("jelly", {0.2, 0.0}, {speed, 0.0}), disc("other", {0.42, 0.02}, {-speed, 0.0})};
+  setup.pucks[0].soft = SoftMatter{0.5, cells, 0.3, {}};
+  setup.pucks[1].soft = SoftMatter{0.35, cells, 0.3, {}};
+  return setup;
+}
+
+/// The steps of one of the pucks: its nodes' places at all times of the simulation, from a play of its own
+/// with all of them, which are soft.
 struct Steps {
   std::vector<double> times;
   std::vector<std::vector<glm::dvec2>> places;
 
-  Steps(const BilliardSetup& setup, double until) {
-    const Puck& puck = setup.pucks[0];
+  Steps(const BilliardSetup& setup, double until, std::size_t puck = 0) {
     const double x = 0.5 * setup.board->length_m, y = 0.5 * setup.board->width_m;
     SoftPlay play({{{1.0, 0.0}, x}, {{-1.0, 0.0}, x}, {{0.0, 1.0}, y}, {{0.0, -1.0}, y}});
+    for (const Puck& each : setup.pucks) play.add(entryOf(each));
+    std::vector<glm::dvec2> now;
+    const auto note = [&](double time) {
+      if (!times.empty() && time <= times.back()) return;
+      times.push_back(time);
+      places.push_back(now);
+    };
+    play.drawnPlaces(puck, -2.0, now), note(-2.0);
+    play.drawnPlaces(puck, 0.0, now), note(0.0);
+    play.watch([&](std::size_t body, double time) {
+      if (body == puck) play.drawnPlaces(puck, std::nullopt, now), note(time);
+    });
+    while (play.time() < until) play.playSlice();
+  }
+
+  static SoftEntry entryOf(const Puck& puck) {
     SoftEntry entry;
     entry.name = puck.name;
     entry.mesh = std::make_shared<const SoftMesh>(softMeshOf(puck));
@@ -57,17 +84,7 @@ struct Steps {
     entry.centre = puck.position_m;
     entry.u = fourVelocity(puck.beta.x / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta)),
                            puck.beta.y / std::sqrt(1.0 - glm::dot(puck.beta, puck.beta)));
-    play.add(entry);
-    std::vector<glm::dvec2> now;
-    const auto note = [&](double time) {
-      if (!times.empty() && time <= times.back()) return;
-      times.push_back(time);
-      places.push_back(now);
-    };
-    play.drawnPlaces(0, -2.0, now), note(-2.0);
-    play.drawnPlaces(0, 0.0, now), note(0.0);
-    play.watch([&](std::size_t, double time) { play.drawnPlaces(0, std::nullopt, now), note(time); });
-    while (play.time() < until) play.playSlice();
+    return entry;
   }
 
   glm::dvec3 at(double time, const SoftModel& model, std::size_t point) const {

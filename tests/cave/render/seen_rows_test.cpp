@@ -92,15 +92,16 @@ TEST(SeenRows, ASleeperIsDrawnAsARigidBody) {
   }
 }
 
-// Swept through waking, contact and sleep, and with a rigid puck that becomes soft while its rim has not
-// heard of a bounce: no point's seen event goes back, and none moves by more than its speed lets it.
+// Swept through waking, contact with a cushion and with another one, and sleep, and with a rigid puck that
+// becomes soft while its rim has not heard of a bounce: no point's seen event goes back, and none moves by
+// more than its speed lets it.
 TEST(SeenRows, ASweptEyeSeesNoJump) {
   BilliardSetup becoming;
   becoming.lightSpeed_m_s = kC;
   becoming.board = Board{1.2, 0.8};
   becoming.pucks = {disc("rigid", {0.5, 0.0}, {0.6, 0.0}), disc("jelly", {0.455, 0.06}, {0.3, 0.0})};
   becoming.pucks[1].soft = SoftMatter{0.5, 6, 0.3, {}};
-  for (const BilliardSetup& setup : {bounceAt(0.3, 6), bounceAt(0.6, 6), becoming}) {
+  for (const BilliardSetup& setup : {bounceAt(0.3, 6), bounceAt(0.6, 6), pairAt(0.4, 6), becoming}) {
     SCOPED_TRACE(setup.pucks[0].name);
     Played played(setup, 1.3);
     const Vec3 eye_m(0.3, -0.2, 0.3);

@@ -1,5 +1,5 @@
 // Soft pucks as they are drawn against the steps of their simulation, solved for by bisection and filled by
-// hand: the silhouettes and the printed rings and spokes of bounces, to a pixel.
+// hand: the silhouettes and the printed rings and spokes of bounces and of two that touch, to a pixel.
 
 #include <gtest/gtest.h>
 
@@ -98,51 +98,67 @@ class SoftPictures : public testing::Test {
 
 TEST_F(SoftPictures, SilhouettesAndPrintedLinesAreWithinAPixel) {
   long lit = 0, lines = 0, grounds = 0, misprinted = 0;
-  for (const double speed : {0.3, 0.6, 0.8}) {
-    const BilliardSetup setup = bounceAt(speed, 10);
-    Played played(setup, 0.75);
-    const Steps steps(setup, 1.1);
+  struct Case {
+    BilliardSetup setup;
+    std::vector<double> times_s;
+  };
+  const std::vector<double> afterCushion_s{0.42, 0.47, 0.6, 0.72};
+  for (const Case& one :
+       {Case{bounceAt(0.3, 10), afterCushion_s}, Case{bounceAt(0.6, 10), afterCushion_s},
+        Case{bounceAt(0.8, 10), afterCushion_s}, Case{pairAt(0.4, 10), {0.38, 0.4, 0.43, 0.5}}}) {
+    const std::size_t count = one.setup.pucks.size();
+    std::vector<Played> played;
+    std::vector<Steps> steps;
     Scene scene;
-    scene.bodyCount = 2;
-    scene.soft = {played.model};
-    scene.soft[0].colour = glm::vec3(0.9F);
+    scene.bodyCount = static_cast<int>(kFirstPuck + count);
+    for (std::size_t puck = 0; puck < count; ++puck) {
+      played.emplace_back(one.setup, 0.75, puck);
+      steps.emplace_back(one.setup, 1.1, puck);
+      scene.soft.push_back(played.back().model);
+      scene.soft.back().colour = glm::vec3(0.9F);
+    }
     for (glm::dvec3& lamp : scene.lamps_m) lamp = {0.3, -0.2, 1.2};
     graphics_.makeCurrent();
     WallRenderer renderer(graphics_, scene, kSoftC, 1);
-    for (const double t_s : {0.42, 0.47, 0.6, 0.72}) {
-      SCOPED_TRACE(testing::Message() << speed << " c at " << t_s << " s");
+    for (const double t_s : one.times_s) {
+      SCOPED_TRACE(testing::Message()
+                   << count << " pucks at " << one.setup.pucks[0].beta.x << " c, " << t_s << " s");
       const Look look{{t_s, {0.4, -0.15, 0.3}}, {0.0, 0.3, 0.0}};
       const Lorentz headFromBoard = look.headFromBoard(kSoftC);
-      const auto seenAt = [&](std::size_t point) {
-        return (headFromBoard * steps.seen(look.observation, played.model, point)).dr_m;
+      const auto seenAt = [&](std::size_t puck, std::size_t point) {
+        return (headFromBoard * steps[puck].seen(look.observation, played[puck].model, point)).dr_m;
       };
-      const Wall wall = squareWall(look.inRoom_m, seenAt(0), 1.0, 0.5, kPicture_px);
+      const Wall wall = squareWall(look.inRoom_m, seenAt(0, 0), 1.0, 0.5, kPicture_px);
       const glm::dmat4 clip = *clipFromEye(wall, look.inRoom_m);
 
       ReferencePicture expected(kPicture_px);
-      std::vector<ReferencePicture::Corner> corners;
-      for (std::size_t i = 0; i < played.model.points.size(); ++i) {
-        const glm::dvec4 at = clip * glm::dvec4(seenAt(i), 1.0);
-        const glm::dvec2 at_px = (0.5 * glm::dvec2(at) / at.w + 0.5) * double{kPicture_px};
-        corners.push_back({at_px, at.w, played.model.relaxed_m[played.model.points[i].node]});
-      }
-      for (std::size_t k = 0; k + 2 < played.model.surface.size(); k += 3) {
-        std::array<ReferencePicture::Corner, 3> triangle;
-        bool isSide = false;
-        for (std::size_t j = 0; j < 3; ++j) {
-          const SoftModel::Vertex& vertex = played.model.vertices[played.model.surface[k + j]];
-          triangle[j] = corners[vertex.point];
-          isSide = vertex.faces == 0;
+      for (std::size_t puck = 0; puck < count; ++puck) {
+        const SoftModel& model = played[puck].model;
+        std::vector<ReferencePicture::Corner> corners;
+        for (std::size_t i = 0; i < model.points.size(); ++i) {
+          const glm::dvec4 at = clip * glm::dvec4(seenAt(puck, i), 1.0);
+          const glm::dvec2 at_px = (0.5 * glm::dvec2(at) / at.w + 0.5) * double{kPicture_px};
+          corners.push_back({at_px, at.w, model.relaxed_m[model.points[i].node]});
         }
-        expected.fill(triangle, [&](const glm::dvec2& place) { return isSide ? Ink::side : inkOf(place); });
+        for (std::size_t k = 0; k + 2 < model.surface.size(); k += 3) {
+          std::array<ReferencePicture::Corner, 3> triangle;
+          bool isSide = false;
+          for (std::size_t j = 0; j < 3; ++j) {
+            const SoftModel::Vertex& vertex = model.vertices[model.surface[k + j]];
+            triangle[j] = corners[vertex.point];
+            isSide = vertex.faces == 0;
+          }
+          expected.fill(triangle, [&](const glm::dvec2& place) { return isSide ? Ink::side : inkOf(place); });
+        }
       }
 
-      std::vector<BodyView> views(2);
-      for (std::size_t body = 0; body < 2; ++body)
-        viewBody(played.world.histories[body], look.observation, headFromBoard, views[body]);
+      const World& world = played[0].world;
+      std::vector<BodyView> views(world.histories.size());
+      for (std::size_t body = 0; body < views.size(); ++body)
+        viewBody(world.histories[body], look.observation, headFromBoard, views[body]);
       graphics_.makeCurrent();
       RenderTarget picture(wall.pixels);
-      renderer.look(headFromBoard, {look.observation, look.inRoom_m}, views, {}, {}, {played.world.soft});
+      renderer.look(headFromBoard, {look.observation, look.inRoom_m}, views, {}, {}, {world.soft});
       ASSERT_TRUE(renderer.draw(wall, look.inRoom_m, picture));
       const Image image = readBack(picture);
       long outside = 0, missing = 0, wrong = 0;

@@ -65,6 +65,18 @@ TEST(Scene, AnOpenPlaneHasAHallTooAndScriptedBodiesAreRods) {
   EXPECT_NEAR(rod->mesh->GetBounds()[1], 0.5, 1e-6);
 }
 
+TEST(Scene, NothingIsDrawnOfABodyThatIsNot) {
+  BodyLooks push{"push", "", 0.0, 0.0};
+  push.isDrawn = false;
+  const Scene scene = buildScene({}, kPucks, std::vector<BodyLooks>{push, {"rod", "", 0.0, 0.0}});
+  EXPECT_EQ(scene.bodyCount, 6U);
+  EXPECT_EQ(scene.reach_m.size(), 6U);
+  std::vector<int> parts(6, 0);
+  for (const ScenePart& part : scene.parts) ++parts[part.body];
+  EXPECT_EQ(parts[4], 0);
+  EXPECT_GT(parts[5], 0);
+}
+
 TEST(Scene, APuckFillsItsRadiusAndHeight) {
   for (const ScenePart& part : puckParts(0.0305, 0.02, 1, {})) {
     if (part.paint != Paint::puck) continue;

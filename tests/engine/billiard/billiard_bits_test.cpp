@@ -7,6 +7,7 @@
 
 #include "engine/billiard/billiard.h"
 #include "engine/game_digest.h"
+#include "engine/soft/soft_history.h"
 
 namespace carom {
 namespace {
@@ -57,6 +58,47 @@ INSTANTIATE_TEST_SUITE_P(
                     Game{"many", kContact, 1.0, 0.0, true, 5000, false, 0.1, 0xefc40b50d38de81a},
                     Game{"gliding", kCentre, 0.9, 0.05, true, 60, true, 3.0, 0xd08c16569e00cf48}),
     [](const auto& game) { return std::string(game.param.name); });
+
+Puck disc(const char* name, const Vec2& position_m, const Vec2& beta) {
+  Puck puck;
+  puck.name = name;
+  puck.radius_m = 0.03;
+  puck.height_m = 0.02;
+  puck.mass_kg = 0.2;
+  puck.position_m = position_m;
+  puck.beta = beta;
+  return puck;
+}
+
+// A soft puck meets a rigid one, which becomes soft, a cushion and a stroke; with the rows by which they are
+// seen.
+TEST(SoftBits, AreTheRecordedOnes) {
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = 1.0;
+  setup.board = Board{0.4, 0.3};
+  setup.pucks = {disc("jelly", {0.0, 0.0}, {0.4, 0.1}), disc("rigid", {0.12, 0.02}, {-0.3, 0.0})};
+  setup.pucks[0].soft = SoftMatter{0.5, 4, 0.3, {}};
+  setup.strokes.push_back({0, 0.3, Vec3{0.1, 0.0, 0.1}, {-0.05, 0.02}});
+  Billiard billiard(setup);
+  billiard.advanceTo(0.6);
+  int soft = 0;
+  for (const GameEvent& event : billiard.events()) {
+    if (event.kind == EventKind::softSoft || event.kind == EventKind::softCushion) ++soft;
+  }
+  EXPECT_GE(soft, 2);
+  test::Digest digest;
+  digest.add(test::digestOf(billiard));
+  SoftRows rows;
+  billiard.takeSoftRows(rows);
+  EXPECT_GT(rows.rows.size(), 50u);
+  for (const SoftRow& row : rows.rows) digest.add(row.time);
+  for (const SoftNode& node : rows.nodes) {
+    digest.add(double{node.x}), digest.add(double{node.y});
+    for (const std::int16_t part : {node.velocity[0], node.velocity[1], node.strain, node.heat})
+      digest.add(static_cast<double>(part));
+  }
+  EXPECT_EQ(digest.value(), 0xe89294c2880191d5u) << std::hex << "0x" << digest.value();
+}
 
 }  // namespace
 }  // namespace carom

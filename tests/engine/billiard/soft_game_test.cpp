@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <span>
@@ -289,6 +290,68 @@ TEST(SoftGame, RowsBeginWhereTheRimIs) {
         std::max(farthest, glm::length(rim - Vec2(centre.event.r_m) - contracted(mesh.places()[i], along)));
   }
   EXPECT_GT(farthest, 1e-3);  // some of it has not heard: the case is one
+}
+
+/// Returns the memory of a row with its nodes.
+std::size_t bytesOf(const SoftRow& row) { return sizeof(SoftRow) + row.nodes * sizeof(SoftNode); }
+
+// At most 2 MB a metre of light of an awake puck of 12 cells: a bounce at 0.6 c with what rings after it.
+TEST(SoftGame, RowsOfAnAwakePuckAreSmall) {
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = kC;
+  setup.board = Board{0.3, 0.3};
+  setup.pucks = {soft("jelly", {0.1, 0.0}, {0.6, 0.0}, 12)};
+  Billiard billiard(setup);
+  billiard.advanceTo(20.0 * kRadius / kC);
+  SoftRows rows;
+  billiard.takeSoftRows(rows);
+  std::size_t bytes = 0;
+  double from = 0.0, until = 0.0;
+  for (const SoftRow& row : rows.rows) {
+    if (row.isStill == 1) continue;
+    bytes += bytesOf(row);
+    from = from == 0.0 ? row.time : from;
+    until = row.time;
+  }
+  EXPECT_GT(until - from, 15.0 * kRadius);
+  EXPECT_LT(static_cast<double>(bytes), 2e6 * (until - from));
+  EXPECT_GT(static_cast<double>(bytes), 1e5 * (until - from));
+}
+
+// A puck that is struck every second for an hour keeps no more after the first minute. In short, four
+// minutes; CAROM_SOFT=1 plays the hour.
+TEST(SoftGame, AnHourKeepsNoMoreThanItsFirstMinute) {
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = kC;
+  setup.board = Board{0.3, 0.2};
+  setup.pucks = {soft("jelly", {0.0, 0.0}, {0.0, 0.0}, 4)};
+  Billiard billiard(setup);
+  SoftHistory history;
+  std::size_t inFirst = 0, after = 0;
+  const int until_s = std::getenv("CAROM_SOFT") != nullptr ? 3600 : 90;
+  for (int t_s = 1; t_s <= until_s; ++t_s) {
+    const double way = t_s % 2 == 0 ? 1.0 : -1.0;
+    billiard.advanceTo(t_s);
+    billiard.strike({.puck = 0,
+                     .at_s = static_cast<double>(t_s),
+                     .from_m = Vec3(0.0, 0.0, 0.1),
+                     .momentum_kg_m_s = {0.08 * way, 0.01 * (t_s % 5 - 2)}});
+    billiard.advanceTo(t_s + 0.5);
+    SoftRows rows;
+    billiard.takeSoftRows(rows);
+    history.truncateFrom(rows.truncatedFrom);
+    std::size_t node = 0;
+    for (const SoftRow& row : rows.rows) {
+      history.append(row, std::span(rows.nodes).subspan(node, row.nodes));
+      node += row.nodes;
+    }
+    std::size_t& most = t_s <= 60 ? inFirst : after;
+    most = std::max(most, history.rowCount());
+    billiard.forgetBefore(t_s - 0.5);
+    history.forgetBefore((t_s - 0.5) * kC);
+  }
+  EXPECT_GT(inFirst, 30U);
+  EXPECT_LT(static_cast<double>(after), 1.3 * static_cast<double>(inFirst));
 }
 
 TEST(SoftGame, ForgetsThePast) {

@@ -138,13 +138,10 @@ TEST(SoftProofs, ABounceIsTheSameInFramesAlongTheCushion) {
   }
 }
 
-// The outcome of a nearly central blow of soft discs above 0.7 c hangs on single nodes: with 16 cells 2 of
-// 100 random ones differ by more than a hundredth of the momentum.
 TEST(SoftProofs, ACollisionOfTwoIsTheSameInEveryFrame) {
   test::Random random(2025);
   const int cells = isThorough() ? 16 : 8;
-  const double most = isThorough() ? 0.02 : 0.03;
-  int far = 0;
+  const double most = isThorough() ? 0.01 : 0.03;
   for (int k = 0; k < cases(2); ++k) {
     CASE(random, k);
     const double speed = random.in(0.1, 0.5), offset = random.in(-0.8, 0.8) * kRadius;
@@ -169,10 +166,7 @@ TEST(SoftProofs, ACollisionOfTwoIsTheSameInEveryFrame) {
     EXPECT_NEAR(first[1].t, first[0].t, most * scale);
     EXPECT_NEAR(second[1].x, second[0].x, most * scale);
     EXPECT_NEAR(second[1].y, second[0].y, most * scale);
-    const double off = std::hypot(first[1].x - first[0].x, first[1].y - first[0].y) / scale;
-    if (off > 0.01) ++far;
   }
-  EXPECT_TRUE(!isThorough() || far <= 1 + cases(0) / 50) << far << " of them";
 }
 
 // Rigid pucks that become soft, soft and stiff ones, two and three at once, cushions and a stroke.
