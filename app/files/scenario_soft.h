@@ -15,8 +15,7 @@ void readSoft(const TomlTable& table, Puck& puck);
 
 /// Gives the soft pucks the motions of the bodies that hold them, and reports those that they cannot have.
 /// `tables` are those of the pucks.
-void holdSides(BilliardSetup& setup, const std::vector<TomlTable>& tables,
-               std::vector<BodyText>& bodies);
+void holdSides(BilliardSetup& setup, const std::vector<TomlTable>& tables, std::vector<BodyText>& bodies);
 
 /// Reports friction, corners and spins that cannot be beside soft pucks. `physics` may be none.
 void checkSoft(const BilliardSetup& setup, const std::vector<TomlTable>& tables, const TomlTable* physics);
