@@ -110,10 +110,13 @@ void compare(const FileKey& file, const Read& read, const std::vector<Variant>& 
 TEST(FileKey, ReaderOfPlaylistsReadsTheDeclaredKeys) { compare(playlistKeys(), readPlaylist, {{}}); }
 
 TEST(FileKey, ReaderOfRigsReadsTheDeclaredKeys) {
-  const Variant forOne{.leftOut = {"headset", "viewer"}}, forSeveral{.leftOut = {"headset", "head", "hand"}},
-      ofHeadset{.leftOut = {"head", "hand", "viewer", "tracker", "wall", "node"}};
+  const Variant forOne{.leftOut = {"headset", "viewer", "wall.screen"}},
+      forSeveral{.leftOut = {"headset", "head", "hand", "wall.screen"}},
+      ofHeadset{.leftOut = {"head", "hand", "viewer", "tracker", "wall", "node"}},
+      cylinder{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", "shape = 'cylinder'"}}},
+      dome{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", "shape = 'dome'"}}};
   const auto read = [](const std::filesystem::path& file) { readRig(file); };
-  compare(rigKeys(), read, {forOne, forSeveral, ofHeadset});
+  compare(rigKeys(), read, {forOne, forSeveral, ofHeadset, cylinder, dome});
 }
 
 TEST(FileKey, ReaderOfScenariosReadsTheDeclaredKeys) {
