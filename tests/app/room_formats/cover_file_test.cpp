@@ -101,6 +101,25 @@ TEST(CoverFile, TrackersBodiesAndPersonsAreTakenOver) {
   EXPECT_EQ(viewer.hand->sensor, 101);
 }
 
+TEST(CoverFile, SharedMemoryAndNatNetAreTrackers) {
+  const auto withDriver = [](const std::string& attributes) {
+    return roomOf("room.xml", with(kCave, "driver=\"dtrack\" port=\"5001\"", attributes));
+  };
+  const Room room = withDriver("driver=\"CAVELIB\" SHMID=\"7000\" unit=\"cm\"");
+  ASSERT_EQ(room.trackers.size(), 1u) << allFindings(room);
+  EXPECT_EQ(room.trackers[0].kind, TrackerKind::trackd);
+  EXPECT_EQ(room.trackers[0].source, "shm://7000?wand=4127");
+  EXPECT_EQ(room.trackers[0].unit_m, 0.01);
+  EXPECT_LT(glm::distance(room.trackers[0].roomFromTracker.position_m, {0.01, 0.02, -1.5}), 1e-12);
+  EXPECT_EQ(withDriver("driver=\"cavelib\"").trackers.at(0).unit_m, 0.3048);
+  EXPECT_EQ(withDriver("driver=\"cavelib\" unit=\"304.8\"").trackers.at(0).unit_m, 0.3048);
+  EXPECT_EQ(findingWith(withDriver("driver=\"cavelib\" unit=\"dm\""), "none that a rig has").at.line, 27);
+  EXPECT_EQ(findingWith(withDriver("driver=\"cavelib\" Yup=\"off\""), "turns about z first").at.line, 27);
+  const Room natnet = withDriver("driver=\"NatNet\" server=\"10.0.0.7\"");
+  ASSERT_EQ(natnet.trackers.size(), 1u) << allFindings(natnet);
+  EXPECT_EQ(natnet.trackers[0].source, "udp://10.0.0.7?group=239.255.42.99");
+}
+
 TEST(CoverFile, NamesByLineWhatItLeavesOut) {
   const Room room = roomOf("room.xml", kCave);
   EXPECT_EQ(findingWith(room, "'SPARE' of computer 's1'").at.line, 9) << allFindings(room);
