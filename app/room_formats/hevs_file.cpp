@@ -10,6 +10,7 @@
 
 #include "app/room_formats/hevs_inheritance.h"
 #include "app/room_formats/hevs_screen.h"
+#include "app/room_formats/hevs_trackers.h"
 #include "app/room_formats/room_parts.h"
 #include "app/room_import/foreign_room.h"
 
@@ -81,6 +82,41 @@ std::optional<glm::dvec3> cornerOf(const Part& display, std::string_view name, c
   return place * glm::dvec3((*values)[0], (*values)[1], -(*values)[2]);
 }
 
+std::string hostOf(const Part& node) {
+  const Part* address = node.find("address");
+  const std::string host = address ? address->text : node.name;
+  return host == "localhost" || host == "127.0.0.1" ? "" : host;
+}
+
+/// Viewports are shares of the window, or pixels where a number is above 1, from its lower left, as Unity
+/// takes them (Camera.rect).
+void placeDisplay(const Part& display, const Part& platform, const WindowPlacement& window, RoomWall& wall,
+                  Room& room) {
+  const Part* name = display.find("viewport");
+  const Part* viewports = platform.find("viewports");
+  const Part* viewport = name && viewports ? viewports->find(name->text) : nullptr;
+  if (name && !viewport)
+    addError(room, name->textAt, fmt::format("there is no viewport '{}'", printable(name->text)));
+  if (!viewport) return placeInWindow(window, {0, 0}, window.size_px, wall, room);
+  wall.at.pixels = viewport->at;
+  viewport->find("absolute");
+  constexpr Range kPlace{.least = 0.0, .most = kMostRoomPixels};
+  std::array<double, 4> values{};
+  constexpr std::array<std::string_view, 4> kNames{"x", "y", "width", "height"};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!viewport->find(kNames[i]))
+      addError(room, viewport->at, fmt::format("{} is missing in viewport", kNames[i]));
+    values[i] = number(*viewport, kNames[i], kPlace, false, room).value_or(i < 2 ? 0.0 : 1.0);
+  }
+  const bool isShare = std::all_of(values.begin(), values.end(), [](double value) { return value <= 1.0; });
+  const glm::dvec2 scale = isShare ? glm::dvec2(window.size_px) : glm::dvec2(1.0);
+  const glm::dvec2 low = glm::dvec2(values[0], values[1]) * scale;
+  const glm::ivec2 low_px(glm::round(low));
+  const glm::ivec2 high_px(glm::round(low + glm::dvec2(values[2], values[3]) * scale));
+  placeInWindow(window, {low_px.x, window.size_px.y - high_px.y}, glm::max(high_px - low_px, glm::ivec2(1)),
+                wall, room);
+}
+
 /// Reads a platform.
 class HevsPlatform {
  public:
@@ -123,69 +159,7 @@ class HevsPlatform {
   void readPeople() {
     const glm::dvec3 standing_m(0.0, kStandingEyes_m, 0.0);
     addPerson("viewer", separation_m_, standing_m, separationAt_, "someone standing on the origin", room_);
-    const Part* trackers = platform_.find("trackers");
-    if (!trackers) return;
-    for (const Part& tracker : trackers->parts) readTracker(tracker);
-  }
-
-  void readTracker(const Part& tracker) {
-    tracker.isRead = true;
-    if (!alike(tracker.textOf("type"), "vrpn")) {
-      tracker.markRead();
-      return addWarning(room_, tracker.at,
-                        fmt::format("tracker '{}' of type '{}' is left out: it is no VRPN",
-                                    printable(tracker.name), printable(tracker.textOf("type"))));
-    }
-    flagOr(tracker, "apply_rotation", true, room_);
-    const auto axis = [&](const char* name, const char* usual) {
-      const Part* part = tracker.find(name);
-      return part ? part->text : std::string(usual);
-    };
-    Pose roomFromTracker;
-    const bool mirrored = alike(axis("handedness", "left"), "left");
-    // Without a word HEVS takes its own axes: x right, y up, z forward, left-handed.
-    if (mirrored && tracker.find("handedness")) {
-      addWarning(room_, tracker.placeOf("handedness"),
-                 fmt::format("tracker '{}' is left-handed, which no rig says: measure its room_from_tracker",
-                             printable(tracker.name)));
-    } else if (const auto turn =
-                   turnOfAxes(axis("right", "X"), axis("up", "Y"),
-                              axis("forward", tracker.find("handedness") ? "Z" : "-Z"), tracker.at, room_)) {
-      roomFromTracker.orientation = *turn;
-    }
-    readTransform(tracker, roomFromTracker);
-    const auto index =
-        addVrpn(tracker.name, tracker.textOf("address"), roomFromTracker, tracker.placeOf("address"), room_);
-    if (index) assign(tracker.name, *index);
-  }
-
-  void readTransform(const Part& tracker, Pose& roomFromTracker) {
-    const Part* transform = tracker.find("transform");
-    if (!transform) return;
-    if (const Part* translate = transform->find("translate")) {
-      if (const auto moved = arrayOf(*translate, 3, room_))
-        roomFromTracker.position_m = {(*moved)[0], (*moved)[1], -(*moved)[2]};
-    }
-    const Part* rotate = transform->find("rotate");
-    const auto turned = rotate ? arrayOf(*rotate, 3, room_) : std::nullopt;
-    if (turned &&
-        std::any_of(turned->begin(), turned->end(), [](double turn_deg) { return turn_deg != 0.0; })) {
-      addWarning(room_, rotate->textAt,
-                 fmt::format("the rotation of tracker '{}' is left out: measure its room_from_tracker",
-                             printable(tracker.name)));
-    }
-  }
-
-  /// Makes the tracker that the stereo settings name, or one called Head, the head's, and one called Wand or
-  /// Hand the hand's.
-  void assign(std::string_view name, std::size_t index) {
-    Person& person = room_.people.front();
-    if (name == headName_ || (headName_.empty() && alike(name, "head"))) {
-      person.setup.head.sensor = {index, 0};
-      person.isTracked = true;
-    } else if (alike(name, "wand") || alike(name, "hand")) {
-      person.setup.hand = HandSetup{{index, 0}, {}, {}};
-    }
+    readHevsTrackers(platform_, headName_, room_);
   }
 
   void readNode(const Part& node) {
@@ -279,7 +253,7 @@ class HevsPlatform {
     WindowPlacement window = node.window;
     window.monitor =
         static_cast<int>(number(display, "monitor", {.least = 0.0, .most = 63.0}, true, room_).value_or(0.0));
-    place(display, window, wall);
+    placeDisplay(display, platform_, window, wall, room_);
     if (!node.sizeGiven) {
       addWarning(room_, node.part.at,
                  fmt::format("node '{}' has no resolution: a window of {} × {} pixels is taken",
@@ -300,40 +274,6 @@ class HevsPlatform {
     } else {
       wall.eyes = {{0, Eye::right}, {0, Eye::left}};
     }
-  }
-
-  std::string hostOf(const Part& node) const {
-    const Part* address = node.find("address");
-    const std::string host = address ? address->text : node.name;
-    return host == "localhost" || host == "127.0.0.1" ? "" : host;
-  }
-
-  /// Viewports are shares of the window, or pixels where a number is above 1, from its lower left, as Unity
-  /// takes them (Camera.rect).
-  void place(const Part& display, const WindowPlacement& window, RoomWall& wall) {
-    const Part* name = display.find("viewport");
-    const Part* viewports = platform_.find("viewports");
-    const Part* viewport = name && viewports ? viewports->find(name->text) : nullptr;
-    if (name && !viewport)
-      addError(room_, name->textAt, fmt::format("there is no viewport '{}'", printable(name->text)));
-    if (!viewport) return placeInWindow(window, {0, 0}, window.size_px, wall, room_);
-    wall.at.pixels = viewport->at;
-    viewport->find("absolute");
-    constexpr Range kPlace{.least = 0.0, .most = kMostRoomPixels};
-    std::array<double, 4> values{};
-    constexpr std::array<std::string_view, 4> kNames{"x", "y", "width", "height"};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!viewport->find(kNames[i]))
-        addError(room_, viewport->at, fmt::format("{} is missing in viewport", kNames[i]));
-      values[i] = number(*viewport, kNames[i], kPlace, false, room_).value_or(i < 2 ? 0.0 : 1.0);
-    }
-    const bool isShare = std::all_of(values.begin(), values.end(), [](double value) { return value <= 1.0; });
-    const glm::dvec2 scale = isShare ? glm::dvec2(window.size_px) : glm::dvec2(1.0);
-    const glm::dvec2 low = glm::dvec2(values[0], values[1]) * scale;
-    const glm::ivec2 low_px(glm::round(low));
-    const glm::ivec2 high_px(glm::round(low + glm::dvec2(values[2], values[3]) * scale));
-    placeInWindow(window, {low_px.x, window.size_px.y - high_px.y}, glm::max(high_px - low_px, glm::ivec2(1)),
-                  wall, room_);
   }
 
   void nameUnused() {

@@ -19,9 +19,9 @@ namespace {
 constexpr Range kLength_m{.least = 0.1, .most = 100.0};  // of a radius or height
 constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 
-/// Returns the display's transform as the file has it, or null.
-const Part* transformOf(const Part& display, const Part& platform, Room& room) {
-  const Part* own = display.find("transform");
+/// Returns an object's transform as the file has it, or null.
+const Part* transformOf(const Part& object, const Part& platform, Room& room) {
+  const Part* own = object.find("transform");
   if (!own || !own->parts.empty() || own->text.empty()) return own;
   const Part* all = platform.find("transforms");
   const Part* named = all ? all->find(own->text) : nullptr;
@@ -63,9 +63,9 @@ bool needsCalibration(const Part& display, Room& room) {
 
 }  // namespace
 
-Pose hevsPlaceOf(const Part& display, const Part& platform, Room& room) {
+Pose hevsPlaceOf(const Part& object, const Part& platform, Room& room) {
   Pose place;
-  const Part* transform = transformOf(display, platform, room);
+  const Part* transform = transformOf(object, platform, room);
   if (!transform) return place;
   transform->isRead = true;
   if (const Part* translate = transform->find("translate")) {
@@ -84,9 +84,8 @@ Pose hevsPlaceOf(const Part& display, const Part& platform, Room& room) {
   if (const Part* scale = transform->find("scale")) {
     const auto by = arrayOf(*scale, 3, room);
     if (by && *by != std::vector<double>{1.0, 1.0, 1.0})
-      addWarning(
-          room, scale->textAt,
-          fmt::format("the scale of display '{}' is left out: lengths are metres", printable(display.name)));
+      addWarning(room, scale->textAt,
+                 fmt::format("the scale of '{}' is left out: lengths are metres", printable(object.name)));
   }
   return place;
 }

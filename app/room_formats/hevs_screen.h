@@ -11,10 +11,10 @@
 
 namespace carom {
 
-/// Returns where the display's own axes are in the room, by its `transform`: an object, or the name of one of
-/// the platform's `transforms`. Angles are Unity's: about z, then x, then y. Adds errors for wrong values,
-/// and a warning for a scale, which is left out.
-Pose hevsPlaceOf(const Part& display, const Part& platform, Room& room);
+/// Returns where the axes of a display or tracker are in the room, by its `transform`: an object, or the name
+/// of one of the platform's `transforms`. Angles are Unity's: about z, then x, then y. Adds errors for wrong
+/// values, and a warning for a scale, which is left out.
+Pose hevsPlaceOf(const Part& object, const Part& platform, Room& room);
 
 /// Returns the screen of a display of type curved: from angle_start as far to the right as both angles differ
 /// (CurvedDisplay.cs of HEVS), with its foot at ground_offset. Returns nothing, with an error noted, if its
