@@ -23,14 +23,6 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kEyes_m = 1.7;   // above the floor, where the height of eyes is not known
 constexpr double kReach_m = 1.5;  // of somebody who walks
-constexpr double kSagitta_m = 0.1;
-
-/// Returns the forward direction at a right angle to an axis, or the room's right where the axis points
-/// forward.
-glm::dvec3 aheadOf(const glm::dvec3& axis, const RoomAxes& axes) {
-  const glm::dvec3 ahead = axes.forward - glm::dot(axes.forward, axis) * axis;
-  return glm::length(ahead) > 1e-3 ? glm::normalize(ahead) : axes.right;
-}
 
 /// Returns places before a cylinder where eyes may be: about its axis.
 std::vector<glm::dvec3> eyesBefore(const CylinderScreen& screen, const RoomAxes& axes) {
@@ -139,6 +131,19 @@ std::optional<Wall> chordOf(const Rig& rig) {
 
 }  // namespace
 
+glm::dvec3 aheadOf(const glm::dvec3& axis, const RoomAxes& axes) {
+  const glm::dvec3 ahead = axes.forward - glm::dot(axes.forward, axis) * axis;
+  return glm::length(ahead) > 1e-3 ? glm::normalize(ahead) : axes.right;
+}
+
+double sagittaFor_m(const std::variant<CylinderScreen, DomeScreen>& shape) {
+  // As shares of the radius: a whole cylinder takes 57 pieces, half a sphere 36.
+  constexpr double kOfCylinder = 0.0015, kOfDome = 0.06;
+  const auto* dome = std::get_if<DomeScreen>(&shape);
+  return std::max(kUsualSagitta_m,
+                  dome ? kOfDome * dome->radius_m : kOfCylinder * std::get<CylinderScreen>(shape).radius_m);
+}
+
 std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes& axes, double unit_m) {
   const auto table = wallTable.table("screen");
   if (!table) {
@@ -160,7 +165,7 @@ std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes&
   return text;
 }
 
-void curve(const ScreenText& text, const TomlTable& wallTable, const RoomAxes& axes, Wall& wall) {
+bool curve(const ScreenText& text, const RoomAxes& axes, Wall& wall) {
   ScreenMesh mesh = std::visit([&](const auto& shape) { return meshOf(shape, wall.pixels); }, text.shape);
   const std::vector<glm::dvec3> eyes_m =
       std::visit([&](const auto& shape) { return eyesBefore(shape, axes); }, text.shape);
@@ -170,13 +175,16 @@ void curve(const ScreenText& text, const TomlTable& wallTable, const RoomAxes& a
   auto screen = std::make_shared<CurvedScreen>(
       curvedScreen(std::move(mesh), {wall.pixels, text.texelsPerPixel, text.sagitta_m, eyes_m}));
   std::visit([&](const auto& shape) { screen->shape = shape; }, text.shape);
-  if (screen->pieces.empty())
-    wallTable.fault(
-        "facet_sagitta",
-        fmt::format("the screen is deeper than {:.0f} mm in more than {} flat pieces, expected a larger "
-                    "facet_sagitta",
-                    text.sagitta_m * 1e3, kMostPieces));
   wall.screen = std::move(screen);
+  return !wall.screen->pieces.empty();
+}
+
+void refusePieces(const ScreenText& text, const TomlTable& wallTable) {
+  wallTable.fault(
+      "facet_sagitta",
+      fmt::format("the screen is deeper than {:.0f} mm in more than {} flat pieces, expected a larger "
+                  "facet_sagitta",
+                  text.sagitta_m * 1e3, kMostPieces));
 }
 
 std::optional<Wall> readPanel(const TomlTable& root, double unit_m) {
