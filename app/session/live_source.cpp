@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "app/operator/lesson.h"
@@ -115,20 +116,26 @@ void LiveSource::tell(std::span<const Command> commands, const OperatorSettings&
   announcements_.putInto(decision);
 }
 
-/// Plays the game on to the latest event that an eye sees. From time to time discards what no viewer will see
-/// any more, not even in the best shot.
+/// Plays the game on to the latest event that an eye sees, also one at a place of its own that a picture by
+/// direction is for. From time to time discards what nobody will see any more, not even in the best shot.
 void LiveSource::playGame(const OperatorSettings& settings, FrameState& frame) {
   FrameRecord& record = frame.record;
+  seers_.clear();
   for (const ViewerState& viewer : record.present()) {
     if (settings.views.myNow) game_.playToNowOf(viewer.observer);
+    seers_.push_back(viewer.observer);
   }
-  game_.advance(latestObservation_s(record), frame);
+  for (const Wall& wall : rig_.walls) {
+    if (!wall.sky || !wall.sky->from_m) continue;
+    const ObserverView& viewer = record.viewers[wall.viewer].observer;
+    seers_.push_back(viewOf(*wall.sky, viewer, record.boardFromRoom, record.room_s));
+  }
+  double latest_s = -std::numeric_limits<double>::infinity();
+  for (const ObserverView& seer : seers_) latest_s = std::max(latest_s, latestObservation_s(seer));
+  game_.advance(latest_s, frame);
   if (record.number % kFramesBetweenForgetting != 0 || scenario_.lesson) return;
-  std::array<ObserverView, kMostViewers + 1> observers;
-  std::size_t count = 0;
-  for (const ViewerState& viewer : record.present()) observers[count++] = viewer.observer;
-  observers[count++] = players_.earliest(record);
-  game_.forget(world_, std::span(observers).first(count), frame);
+  seers_.push_back(players_.earliest(record));
+  game_.forget(world_, seers_, frame);
 }
 
 void LiveSource::finish(const FrameTimes& given, Decision& decision) {

@@ -68,6 +68,7 @@ class LiveSource : public FrameSource {
   Game game_;
   Players players_;
   Announcements announcements_;
+  std::vector<ObserverView> seers_;      ///< whose eyes see the frame's light
   std::optional<ObserverViews> frozen_;  ///< the last views before time was frozen
   DriveMode driven_ = DriveMode::free;   ///< in the previous frame
   bool isNew_;  ///< its first frame is still to come: no time passes for the viewer while a game is loaded

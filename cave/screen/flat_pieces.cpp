@@ -185,8 +185,12 @@ std::optional<FlatPiece> pieceOf(ScreenMesh mesh, const PieceWishes& wishes) {
 std::vector<FlatPiece> flatPieces(const ScreenMesh& screen, const PieceWishes& wishes) {
   std::vector<FlatPiece> pieces;
   std::vector<ScreenMesh> parts;
-  // The right half first: parts are taken from the end.
-  for (const bool right : {true, false}) parts.push_back(cutAt(screen, 0, 0.5, right));
+  // The rightmost strip first: parts are taken from the end.
+  for (int strip = wishes.strips; strip-- > 0;) {
+    const double left = static_cast<double>(strip) / wishes.strips,
+                 right = static_cast<double>(strip + 1) / wishes.strips;
+    parts.push_back(cutAt(cutAt(screen, 0, left, true), 0, right, false));
+  }
   while (!parts.empty()) {
     ScreenMesh part = std::move(parts.back());
     parts.pop_back();
