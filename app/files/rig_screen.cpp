@@ -163,7 +163,8 @@ std::optional<Wall> chordOf(const Rig& rig) {
 }  // namespace
 
 std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes& axes, double unit_m) {
-  const auto table = wallTable.table("screen"), sky = wallTable.table("sky");
+  const auto table = wallTable.table("screen");
+  const auto sky = table ? std::nullopt : wallTable.table("sky");
   const auto refuse = [&](std::initializer_list<const char*> keys, const char* why) {
     for (const char* key : keys) wallTable.refuse(key, why);
   };

@@ -30,6 +30,9 @@ struct PieceWishes {
   /// Where eyes may be: each sees its part of the screen within the piece, and with the texels that are
   /// wished for.
   std::span<const glm::dvec3> eyes_m;
+  /// A piece has so many times the texels of its part of the window, each way, at most: for an eye that looks
+  /// along the screen, and where the window stretches what it shows.
+  double most = 3.0;
   /// The window is first cut into so many columns of one width, an even number, so that none lies on both of
   /// its halves.
   int strips = 2;

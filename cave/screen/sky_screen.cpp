@@ -108,6 +108,7 @@ CurvedScreen screenOf(const Sky& sky, const glm::ivec2& picture_px, double texel
   constexpr double kDepth = 0.15;
   const std::array eyes_m{sky.middle_m};
   PieceWishes wishes{picture_px, texelsPerPixel, kDepth * kSky_m, eyes_m};
+  wishes.most = 1.15;  // a flat piece is sparser in its middle than on the whole; near a pole it needs less
   if (sky.kind == SkyKind::cubemap) wishes.strips = kSquares;
   CurvedScreen screen = curvedScreen(meshOf(sky, picture_px), wishes);
   screen.shape = sky;

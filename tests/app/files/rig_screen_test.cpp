@@ -117,7 +117,7 @@ TEST(RigScreen, PiecesAreTheFlatWallsOfTheRoom) {
 TEST(RigScreen, APictureByDirectionIsForEyesOfItsOwn) {
   const std::string before = kArc.substr(0, kArc.find("screen"));
   const Rig rig = read(before +
-                       "warp = 'mirror.obj'\nsky = { kind = 'fisheye', fov_deg = 200, heading_deg = 90, "
+                       "warp = 'mirror.obj'\nsky = { kind = 'fisheye', fov_deg = 240, heading_deg = 90, "
                        "tilt_deg = 30, from = [10, 20, 170] }\n");
   const Wall& wall = rig.walls.at(0);
   ASSERT_TRUE(wall.sky && wall.screen);
@@ -125,7 +125,7 @@ TEST(RigScreen, APictureByDirectionIsForEyesOfItsOwn) {
   // The eyes face the heading, to the right of forward: their right is backward.
   EXPECT_LT(glm::distance(wall.sky->right, glm::dvec3(0, -1, 0)), 1e-12);
   const auto& sky = std::get<Sky>(wall.screen->shape);
-  EXPECT_NEAR(sky.fov_rad, 200.0 * std::numbers::pi / 180.0, 1e-12);
+  EXPECT_NEAR(sky.fov_rad, 240.0 * std::numbers::pi / 180.0, 1e-12);
   EXPECT_LT(glm::distance(sky.axis, glm::dvec3(0.5, 0, std::sqrt(0.75))), 1e-12);
   EXPECT_EQ(wall.warp.filename(), "mirror.obj");
   EXPECT_TRUE(standingWalls(rig).empty()) << "it stands nowhere in the room";

@@ -162,25 +162,32 @@ std::string projectionOf(const fs::path& file, const std::vector<Wall>& walls) {
   return outputOf(
       "ffprobe -loglevel error -count_frames -select_streams v:0 -show_entries "
       "stream=nb_read_frames:stream_side_data=projection,type -of csv=p=0 '" +
-      file.string() + "'");
+      file.string() + "' | tr ',\\n' '  ' | tr -s ' '");
 }
 
 // As read by another program: the projection, and for two eyes where the second one's picture is.
 TEST(Movie, AMovieOfAllDirectionsSaysSoToPlayers) {
   const Folder folder;
   Graphics graphics;
+  const auto screenOf = [](SkyKind kind) {
+    auto screen = std::make_shared<CurvedScreen>();
+    Sky sky;
+    sky.kind = kind;
+    screen->shape = sky;
+    return screen;
+  };
   Wall all = wallOf("sky", {128, 64}, StereoMode::mono, {0, {0, 0}, {128, 64}, false});
-  all.screen = std::make_shared<CurvedScreen>(CurvedScreen{Sky{.kind = SkyKind::equirectangular}});
+  all.screen = screenOf(SkyKind::equirectangular);
   Wall left = all, right = all;
   left.stereo = StereoMode::left;
   right.stereo = StereoMode::right;
   right.window.position_px = {0, 64};
-  EXPECT_EQ(projectionOf(folder.path / "mono.mp4", {all}), "3,equirectangular\n");
-  EXPECT_EQ(projectionOf(folder.path / "both.mp4", {left, right}), "3,top and bottom,equirectangular\n");
+  EXPECT_EQ(projectionOf(folder.path / "mono.mp4", {all}), "3 equirectangular ");
+  EXPECT_EQ(projectionOf(folder.path / "both.mp4", {left, right}), "3 top and bottom equirectangular ");
   Wall fisheye = all;
-  fisheye.screen = std::make_shared<CurvedScreen>(CurvedScreen{Sky{}});
-  EXPECT_EQ(projectionOf(folder.path / "fisheye.mp4", {fisheye}), "3\n");
-  EXPECT_EQ(projectionOf(folder.path / "all.webm", {all}), "3\n");
+  fisheye.screen = screenOf(SkyKind::fisheye);
+  EXPECT_EQ(projectionOf(folder.path / "fisheye.mp4", {fisheye}), "3 ");
+  EXPECT_EQ(projectionOf(folder.path / "all.webm", {all}), "3 ");
   std::ofstream(folder.path / "none.mp4") << "this is no movie";
   EXPECT_THROW(markSpherical(folder.path / "none.mp4", Spherical::mono), std::runtime_error);
 }
