@@ -99,7 +99,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   file.throwFaults();
   for (WallText& text : walls) {
     straighten(text);
-    if (text.screen) curve(*text.screen, text.table, rig.axes, text.wall);
+    if (text.screen && !curve(*text.screen, rig.axes, text.wall)) refusePieces(*text.screen, text.table);
     rig.walls.push_back(text.wall);
   }
   file.throwFaults();

@@ -26,13 +26,6 @@ constexpr double kEyes_m = 1.7;         // above the floor, where the height of 
 constexpr double kReach_m = 1.5;        // of somebody who walks
 constexpr double kBoardBefore_m = 3.0;  // from the eyes, where no screen stands
 
-/// Returns the forward direction at a right angle to an axis, or the room's right where the axis points
-/// forward.
-glm::dvec3 aheadOf(const glm::dvec3& axis, const RoomAxes& axes) {
-  const glm::dvec3 ahead = axes.forward - glm::dot(axes.forward, axis) * axis;
-  return glm::length(ahead) > 1e-3 ? glm::normalize(ahead) : axes.right;
-}
-
 /// Returns places before a cylinder where eyes may be: about its axis.
 std::vector<glm::dvec3> eyesBefore(const CylinderScreen& screen, const RoomAxes& axes) {
   const double atEyes_m = glm::dot(kEyes_m * axes.up - screen.foot_m, screen.axis);
@@ -162,6 +155,20 @@ std::optional<Wall> chordOf(const Rig& rig) {
 
 }  // namespace
 
+glm::dvec3 aheadOf(const glm::dvec3& axis, const RoomAxes& axes) {
+  const glm::dvec3 ahead = axes.forward - glm::dot(axes.forward, axis) * axis;
+  return glm::length(ahead) > 1e-3 ? glm::normalize(ahead) : axes.right;
+}
+
+double sagittaFor_m(const ScreenFormula& shape) {
+  // As shares of the radius: a whole cylinder takes 57 pieces, half a sphere 36.
+  constexpr double kOfCylinder = 0.0015, kOfDome = 0.06;
+  double least_m = 0.0;
+  if (const auto* cylinder = std::get_if<CylinderScreen>(&shape)) least_m = kOfCylinder * cylinder->radius_m;
+  if (const auto* dome = std::get_if<DomeScreen>(&shape)) least_m = kOfDome * dome->radius_m;
+  return std::max(kUsualSagitta_m, least_m);
+}
+
 std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes& axes, double unit_m) {
   const auto table = wallTable.table("screen");
   const auto sky = table ? std::nullopt : wallTable.table("sky");
@@ -211,21 +218,24 @@ CurvedScreen screenOf(const SkyText& sky, const ScreenText& text, const glm::ive
 
 }  // namespace
 
-void curve(const ScreenText& text, const TomlTable& wallTable, const RoomAxes& axes, Wall& wall) {
+bool curve(const ScreenText& text, const RoomAxes& axes, Wall& wall) {
   auto screen = std::make_shared<CurvedScreen>(
       std::visit([&](const auto& shape) { return screenOf(shape, text, wall.pixels, axes); }, text.shape));
   const ScreenMesh& mesh = screen->mesh;
   wall.lowerLeft_m = mesh.front()[0].inRoom_m;
   wall.lowerRight_m = mesh.back()[1].inRoom_m;
   wall.upperLeft_m = mesh[mesh.size() / 2][2].inRoom_m;
-  if (screen->pieces.empty())
-    wallTable.fault(
-        "facet_sagitta",
-        fmt::format("the screen is deeper than {:.0f} mm in more than {} flat pieces, expected a larger "
-                    "facet_sagitta",
-                    text.sagitta_m * 1e3, kMostPieces));
-  wall.screen = std::move(screen);
   if (const auto* sky = std::get_if<SkyText>(&text.shape)) wall.sky = sky->eyes;
+  wall.screen = std::move(screen);
+  return !wall.screen->pieces.empty();
+}
+
+void refusePieces(const ScreenText& text, const TomlTable& wallTable) {
+  wallTable.fault(
+      "facet_sagitta",
+      fmt::format("the screen is deeper than {:.0f} mm in more than {} flat pieces, expected a larger "
+                  "facet_sagitta",
+                  text.sagitta_m * 1e3, kMostPieces));
 }
 
 std::optional<Wall> readPanel(const TomlTable& root, double unit_m) {

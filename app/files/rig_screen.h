@@ -13,27 +13,43 @@
 
 namespace carom {
 
+inline constexpr double kUsualSagitta_m = 0.1;
+
 /// A picture by direction, and whose eyes see it.
 struct SkyText {
   Sky sky;
   SkyEyes eyes;
 };
 
+using ScreenFormula = std::variant<CylinderScreen, DomeScreen, SkyText>;
+
 /// A curved screen or a picture by direction as given in the file, before it is divided into flat pieces.
 struct ScreenText {
-  std::variant<CylinderScreen, DomeScreen, SkyText> shape;
+  ScreenFormula shape;
   double texelsPerPixel = 1.25;
-  double sagitta_m = 0.1;
+  double sagitta_m = kUsualSagitta_m;
 
   bool isSky() const { return std::holds_alternative<SkyText>(shape); }
 };
 
+/// Returns the least depth of flat pieces that a shape can be drawn on, and kUsualSagitta_m at least: for a
+/// rig that is made of another program's file.
+double sagittaFor_m(const ScreenFormula& shape);
+
+/// Returns the direction from which a cylinder's angles count: forward at a right angle to its axis, or the
+/// room's right where the axis points forward.
+glm::dvec3 aheadOf(const glm::dvec3& axis, const RoomAxes& axes);
+
 /// Reads the `screen` or `sky` of a wall, or none.
 std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes& axes, double unit_m);
 
-/// Sets the screen of a wall, whose corners become three of the screen's places. Call it once all numbers
-/// have been read. Records a fault if it takes too many flat pieces.
-void curve(const ScreenText& text, const TomlTable& wallTable, const RoomAxes& axes, Wall& wall);
+/// Sets the screen of a wall, whose corners become three of the screen's places. Call it once the wall has
+/// its pixels and all numbers are sound. Returns whether a rig may have it: it takes no more than kMostPieces
+/// flat pieces.
+bool curve(const ScreenText& text, const RoomAxes& axes, Wall& wall);
+
+/// Records that a wall takes too many flat pieces.
+void refusePieces(const ScreenText& text, const TomlTable& wallTable);
 
 /// Returns the board that a rig's `[panel]` describes, or none.
 std::optional<Wall> readPanel(const TomlTable& root, double unit_m);

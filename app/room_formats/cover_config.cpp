@@ -38,11 +38,23 @@ bool isCover(const Part& part) { return alike(part.name, "COVER") || alike(part.
 
 /// The elements of it that do; the rest is about plug-ins and drawing.
 bool isOfRoom(const Part& part) {
-  constexpr std::array<std::string_view, 14> kOfRoom{
-      "ScreenConfig", "ChannelConfig",        "ViewportConfig", "WindowConfig",
-      "PipeConfig",   "NumScreens",           "Input",          "MultiPC",
-      "Stereo",       "FloorHeight",          "ViewerPosition", "NumWindows",
-      "PBOConfig",    "BlendingTextureConfig"};
+  constexpr std::array<std::string_view, 17> kOfRoom{"ScreenConfig",
+                                                     "ChannelConfig",
+                                                     "ViewportConfig",
+                                                     "WindowConfig",
+                                                     "PipeConfig",
+                                                     "NumScreens",
+                                                     "Input",
+                                                     "MultiPC",
+                                                     "Stereo",
+                                                     "FloorHeight",
+                                                     "ViewerPosition",
+                                                     "NumWindows",
+                                                     "PBOConfig",
+                                                     "BlendingTextureConfig",
+                                                     "StereoMode",
+                                                     "MonoView",
+                                                     "HMD"};
   return std::any_of(kOfRoom.begin(), kOfRoom.end(),
                      [&](std::string_view name) { return alike(part.name, name); });
 }

@@ -12,6 +12,7 @@
 
 #include "app/room_formats/cover_config.h"
 #include "app/room_formats/cover_input.h"
+#include "app/room_formats/cover_windows.h"
 #include "app/room_formats/included.h"
 #include "app/room_formats/room_parts.h"
 #include "app/room_import/foreign_room.h"
@@ -21,9 +22,6 @@ namespace {
 
 constexpr double kMillimetre_m = 1e-3;
 constexpr double kUsualWidth_mm = 2000.0, kUsualHeight_mm = 1500.0, kUsualRadius_mm = 2800.0;  // COVER's
-constexpr glm::ivec2 kUsualWindow_px{1024, 768};
-constexpr Range kSize_px{.least = 1.0, .most = kMostRoomPixels},
-    kPlace_px{.least = -65536.0, .most = 65536.0};
 constexpr std::array<std::string_view, 19> kQuiet{
     "comment",   "name",        "screen", "channel",    "window", "decoration", "ARCH",
     "swapGroup", "swapBarrier", "type",   "value",      "enable", "separation", "resize",
@@ -112,88 +110,6 @@ std::optional<CoverScreen> placeOf(const Part& screen, Room& room) {
                      values[1] * kMillimetre_m};
 }
 
-/// The windows of a computer.
-class CoverWindows {
- public:
-  CoverWindows(const CoverHost& host, Room& room) : host_(host), room_(room) {}
-
-  /// Returns the X display of a channel's window; empty for the default one.
-  std::string displayOf(const Part* channel) {
-    const Part* window = windowOf(channel, viewportOf(channel));
-    const Part* pipe = numbered("PipeConfig", "Pipe", indexIn(window, "pipeIndex"));
-    if (!pipe || flagOr(*pipe, "useDISPLAY", false, room_)) return "";
-    const std::string server = pipe->textOf("server"), screen = pipe->textOf("screen");
-    if (server.empty() && screen.empty()) return "";
-    return fmt::format(":{}.{}", server.empty() ? "0" : server, screen.empty() ? "0" : screen);
-  }
-
-  /// A viewport is in pixels, or in shares where width and height are at most 1, from the window's lower
-  /// left.
-  void placeOnWindow(const Part* channel, RoomWall& wall) {
-    const Part* viewport = viewportOf(channel);
-    const Part* window = windowOf(channel, viewport);
-    if (!window && !viewport) return;
-    WindowPlacement placed;
-    if (window) {
-      wall.at.window = window->at;
-      placed.position_px = {static_cast<int>(pixelOr(*window, "left", kPlace_px, 0.0)),
-                            static_cast<int>(pixelOr(*window, "top", kPlace_px, 0.0))};
-      placed.size_px = {static_cast<int>(pixelOr(*window, "width", kSize_px, kUsualWindow_px.x)),
-                        static_cast<int>(pixelOr(*window, "height", kSize_px, kUsualWindow_px.y))};
-    }
-    if (!viewport) return placeInWindow(placed, {0, 0}, placed.size_px, wall, room_);
-    wall.at.pixels = viewport->at;
-    const glm::dvec2 whole(placed.size_px);
-    constexpr Range kPart{.least = 0.0, .most = kMostRoomPixels};
-    glm::dvec2 low(pixelOr(*viewport, "left", kPlace_px, 0.0), pixelOr(*viewport, "bottom", kPlace_px, 0.0));
-    glm::dvec2 size(pixelOr(*viewport, "width", kPart, 1.0), pixelOr(*viewport, "height", kPart, 1.0));
-    if (window && size.x <= 1.0 && size.y <= 1.0) {
-      low *= whole;
-      size *= whole;
-    }
-    const glm::ivec2 low_px(glm::round(low)), size_px = glm::max(glm::ivec2(glm::round(size)), glm::ivec2(1));
-    if (!window) {
-      wall.wall.pixels = wall.wall.window.size_px = size_px;
-      return;
-    }
-    placeInWindow(placed, {low_px.x, placed.size_px.y - low_px.y - size_px.y}, size_px, wall, room_);
-  }
-
- private:
-  /// Returns the part of this name and number of a group, such as the second Window of WindowConfig.
-  const Part* numbered(const char* group, const char* element, std::size_t index) const {
-    const Part* found = host_.config.find(group);
-    for (const Part* part : found ? found->all(element) : std::vector<const Part*>()) {
-      if (part->textOf("name") == fmt::format("{}", index)) return part;
-    }
-    return nullptr;
-  }
-
-  std::size_t indexIn(const Part* part, std::string_view name) {
-    const auto value = part ? number(*part, name, {.least = -1.0, .most = 512.0}, true, room_) : std::nullopt;
-    return static_cast<std::size_t>(std::max(0.0, value.value_or(0.0)));
-  }
-
-  /// Returns the window of a channel: its own, or that of its viewport.
-  const Part* windowOf(const Part* channel, const Part* viewport) {
-    const Part* holder = viewport && viewport->find("windowIndex") ? viewport : channel;
-    return numbered("WindowConfig", "Window", indexIn(holder, "windowIndex"));
-  }
-
-  /// Old files give the viewport in the channel.
-  const Part* viewportOf(const Part* channel) {
-    if (channel && channel->find("width")) return channel;
-    return numbered("ViewportConfig", "Viewport", indexIn(channel, "viewportIndex"));
-  }
-
-  double pixelOr(const Part& part, std::string_view name, const Range& range, double fallback) {
-    return number(part, name, range, false, room_).value_or(fallback);
-  }
-
-  const CoverHost& host_;
-  Room& room_;
-};
-
 class CoverReading {
  public:
   CoverReading(CoverSections& sections, std::string master, Room& room)
@@ -260,8 +176,7 @@ class CoverReading {
 
   /// Returns the screens that a computer uses; with `tell`, says what it makes of NumScreens.
   std::vector<const Part*> screensOf(const CoverHost& host, bool tell) {
-    const Part* config = host.config.find("ScreenConfig");
-    std::vector<const Part*> screens = config ? config->all("Screen") : std::vector<const Part*>();
+    std::vector<const Part*> screens = coverElements(host.config, "ScreenConfig", "Screen");
     const Part* given = host.config.find("NumScreens");
     if (!given || screens.empty()) return screens;
     const auto most = number(*given, "value", {.least = 0.0, .most = 512.0}, true, room_);
@@ -292,10 +207,8 @@ class CoverReading {
       }
       return;
     }
-    const Part* config = host.config.find("ChannelConfig");
-    const std::vector<const Part*> channels = config ? config->all("Channel") : std::vector<const Part*>();
-    const bool twins =
-        screens.size() == 2 && channels.size() <= screens.size() && areTwins(*screens[0], *screens[1]);
+    const std::vector<const Part*> channels = coverElements(host.config, "ChannelConfig", "Channel");
+    const bool twins = screens.size() > 1 && areTwins(*screens[0], *screens[1]);
     for (std::size_t i = 0; i < std::max(screens.size(), channels.size()); ++i) {
       const Part* channel = i < channels.size() ? channels[i] : nullptr;
       const auto chosen = channel
@@ -309,8 +222,13 @@ class CoverReading {
                                  printable(host.name), index));
         continue;
       }
-      readScreen(host, *screens[index], channel,
-                 twins ? std::optional(i == 0 ? StereoMode::left : StereoMode::right) : std::nullopt);
+      if (!flagOr(*screens[index], "render", true, room_)) {
+        addWarning(room_, screens[index]->at,
+                   fmt::format("screen '{}' of computer '{}' is left out: it is not rendered",
+                               printable(screens[index]->textOf("comment")), printable(host.name)));
+        continue;
+      }
+      readScreen(host, *screens[index], {i, channel}, twins);
     }
     for (const char* group :
          {"ScreenConfig", "ChannelConfig", "ViewportConfig", "WindowConfig", "PipeConfig"}) {
@@ -327,30 +245,38 @@ class CoverReading {
     }
   }
 
-  StereoMode stereoOf(const Part* channel, std::optional<StereoMode> twin) {
-    const Part* mode = channel ? channel->find("stereoMode") : nullptr;
-    if (!mode) return twin.value_or(StereoMode::mono);
+  /// A channel without a mode has the computer's; where the first two screens are one, channels are for the
+  /// left and the right eye in turn.
+  StereoMode stereoOf(const CoverHost& host, const CoverChannel& channel, bool twins) {
+    const Part* mode = channel.part ? channel.part->find("stereoMode") : nullptr;
+    if (mode && !mode->text.empty()) return modeOf(*mode);
+    if (twins) return channel.index % 2 == 0 ? StereoMode::left : StereoMode::right;
+    const Part* ofAll = host.config.find("StereoMode");
+    const Part* value = ofAll ? ofAll->find("value") : nullptr;
+    return value ? modeOf(*value) : StereoMode::mono;
+  }
+
+  StereoMode modeOf(const Part& mode) {
     for (const CoverStereo& known : kCoverStereo) {
-      if (alike(mode->text, known.name)) return known.mode;
+      if (alike(mode.text, known.name)) return known.mode;
     }
-    addWarning(room_, mode->textAt,
-               fmt::format("stereoMode '{}' is not known here: mono is taken", printable(mode->text)));
+    addWarning(room_, mode.textAt,
+               fmt::format("stereoMode '{}' is not known here: mono is taken", printable(mode.text)));
     return StereoMode::mono;
   }
 
-  void readScreen(const CoverHost& host, const Part& screen, const Part* channel,
-                  std::optional<StereoMode> twin) {
+  void readScreen(const CoverHost& host, const Part& screen, const CoverChannel& channel, bool twins) {
     RoomWall wall;
-    wall.wall.stereo = stereoOf(channel, twin);
+    wall.wall.stereo = stereoOf(host, channel, twins);
     std::string name = screen.textOf("comment");
     if (name.empty()) name = "screen";
     const bool oneEye = wall.wall.stereo == StereoMode::left || wall.wall.stereo == StereoMode::right;
     wall.wall.name =
         oneEye ? fmt::format("{}-{}", name, wall.wall.stereo == StereoMode::left ? "left" : "right") : name;
     const FilePlace at = screen.at;
-    wall.at = {at, screen.placeOf("comment"), at, channel ? channel->at : at, at, at, at};
+    wall.at = {at, screen.placeOf("comment"), at, channel.part ? channel.part->at : at, at, at, at};
     const auto place = placeOf(screen, room_);
-    CoverWindows windows(host, room_);
+    CoverWindows windows(host.config, room_);
     windows.placeOnWindow(channel, wall);
     if (!place) return;
     wall.wall.node = ranks_.of(host.name, windows.displayOf(channel), at);

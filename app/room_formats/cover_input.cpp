@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "app/room_formats/room_parts.h"
 #include "app/room_import/foreign_room.h"
@@ -123,11 +124,51 @@ class CoverInput {
       if (server.empty()) server = "localhost";
       return addVrpn(device.name, sender + "@" + server, roomFromTracker, device.at, room_);
     }
+    if (alike(driver, "cavelib")) return trackdOf(device, roomFromTracker);
+    if (alike(driver, "natnet")) {
+      const std::string server = device.textOf("server");
+      device.find("local");
+      return addTracker(
+          {.name = device.name,
+           .kind = TrackerKind::natnet,
+           .source = fmt::format("udp://{}?group=239.255.42.99", server.empty() ? "127.0.0.1" : server),
+           .roomFromTracker = roomFromTracker},
+          device.at, room_);
+    }
     device.markRead();
     addWarning(room_, device.at,
                fmt::format("device '{}' by the driver '{}' is none that Carom has: it is left out",
                            printable(device.name), printable(driver)));
     return {};
+  }
+
+  /// CAVELib's shared memory, with COVER's defaults (CAVELIBDriver.cpp).
+  std::optional<std::size_t> trackdOf(const Part& device, const Pose& roomFromTracker) {
+    constexpr Range kKey{.least = 1.0, .most = 2147483647.0};
+    TrackdMemory memory;
+    memory.sensors = static_cast<int>(number(device, "SHMID", kKey, true, room_).value_or(4126.0));
+    memory.wand = static_cast<int>(number(device, "wandSHMID", kKey, true, room_).value_or(4127.0));
+    if (const Part* unit = device.find("unit")) {
+      const auto unit_m = rigUnit_m(metresOf(*unit), unit->textAt, room_);
+      if (!unit_m) return {};
+      memory.unit_m = *unit_m;
+    }
+    if (!flagOr(device, "Yup", true, room_))
+      addWarning(
+          room_, device.placeOf("Yup"),
+          fmt::format("device '{}' turns about z first, which no rig says: measure its room_from_tracker",
+                      printable(device.name)));
+    return addTrackd(device.name, memory, roomFromTracker, device.at, room_);
+  }
+
+  /// A unit by its name, or as millimetres.
+  double metresOf(const Part& unit) {
+    constexpr std::array<std::pair<std::string_view, double>, 6> kUnits{
+        {{"feet", 0.3048}, {"mm", 0.001}, {"m", 1.0}, {"cm", 0.01}, {"dm", 0.1}, {"inch", 0.0254}}};
+    for (const auto& [name, metres] : kUnits) {
+      if (alike(unit.text, name)) return metres;
+    }
+    return kMillimetre_m * numberOf(unit, {}, false, room_).value_or(0.0);
   }
 
   /// Returns the number of a sensor: bodies count as they are, F1 is the first Flystick.

@@ -8,83 +8,19 @@
 #include <glm/common.hpp>
 #include <string_view>
 
+#include "app/room_formats/hevs_inheritance.h"
+#include "app/room_formats/hevs_screen.h"
+#include "app/room_formats/hevs_trackers.h"
 #include "app/room_formats/room_parts.h"
 #include "app/room_import/foreign_room.h"
 
 namespace carom {
 namespace {
 
-constexpr double kEyeSeparation_m = 0.065;                        // HEVS's default
-constexpr std::size_t kMostInherited = 32, kMostParts = 200'000;  // platforms in a chain; copied parts
+constexpr double kEyeSeparation_m = 0.065;  // HEVS's default
 constexpr glm::ivec2 kAssumedWindow_px{1920, 1080};
 constexpr std::array<std::string_view, 10> kQuiet{
     "index", "globals", "type", "cluster", "layers", "cull_layers", "fov", "near", "far", "hardware_synced"};
-
-std::size_t sizeOf(const Part& part) {
-  std::size_t size = 1;
-  for (const Part& child : part.parts) size += sizeOf(child);
-  return size;
-}
-
-/// Overwrites parts by those of the same name, as HEVS does with what a platform or display inherits.
-void overwrite(Part& whole, const Part& by) {
-  for (const Part& part : by.parts) {
-    const auto found = std::find_if(whole.parts.begin(), whole.parts.end(), [&](const Part& own) {
-      return !part.name.empty() && own.name == part.name;
-    });
-    if (found == whole.parts.end()) {
-      whole.parts.push_back(part);
-    } else if (part.parts.empty() || found->parts.empty() || part.parts.front().name.empty()) {
-      *found = part;
-    } else {
-      overwrite(*found, part);
-    }
-  }
-}
-
-/// Returns an object with what it inherits from others of `all`.
-class Inheritance {
- public:
-  Inheritance(const Part& all, Room& room) : all_(all), room_(room) {}
-
-  Part of(const Part& object) {
-    Part whole{object.name, {}, object.at, object.textAt};
-    add(object, whole, 0);
-    return whole;
-  }
-
- private:
-  void add(const Part& object, Part& whole, std::size_t depth) {
-    copied_ += sizeOf(object);
-    if (depth > kMostInherited || copied_ > kMostParts) {
-      if (!isRefused_) {
-        addError(room_, object.at,
-                 fmt::format("'{}' inherits from itself or from too many others, expected none or a few",
-                             printable(object.name)));
-      }
-      isRefused_ = true;
-      return;
-    }
-    if (const Part* inherit = object.find("inherit")) {
-      if (inherit->parts.empty()) inheritFrom(*inherit, whole, depth);
-      for (const Part& name : inherit->parts) inheritFrom(name, whole, depth);
-    }
-    if (!isRefused_) overwrite(whole, object);
-  }
-  void inheritFrom(const Part& name, Part& whole, std::size_t depth) {
-    name.isRead = true;
-    if (const Part* other = all_.find(name.text)) {
-      add(*other, whole, depth + 1);
-    } else {
-      addError(room_, name.textAt, fmt::format("there is no '{}' to inherit from", printable(name.text)));
-    }
-  }
-
-  const Part& all_;
-  Room& room_;
-  std::size_t copied_ = 0;
-  bool isRefused_ = false;
-};
 
 struct HevsStereo {
   std::string_view name;
@@ -131,8 +67,9 @@ struct HevsNode {
   bool sizeGiven = false;
 };
 
-/// Returns a point with z back from one with z forward.
-std::optional<glm::dvec3> pointOf(const Part& display, std::string_view name, Room& room) {
+/// Returns a corner of a display in the room, whose z is back, from one with z forward.
+std::optional<glm::dvec3> cornerOf(const Part& display, std::string_view name, const Pose& place,
+                                   Room& room) {
   const Part* part = display.find(name);
   if (!part) {
     addError(
@@ -142,7 +79,42 @@ std::optional<glm::dvec3> pointOf(const Part& display, std::string_view name, Ro
   }
   const auto values = arrayOf(*part, 3, room);
   if (!values) return {};
-  return glm::dvec3((*values)[0], (*values)[1], -(*values)[2]);
+  return place * glm::dvec3((*values)[0], (*values)[1], -(*values)[2]);
+}
+
+std::string hostOf(const Part& node) {
+  const Part* address = node.find("address");
+  const std::string host = address ? address->text : node.name;
+  return host == "localhost" || host == "127.0.0.1" ? "" : host;
+}
+
+/// Viewports are shares of the window, or pixels where a number is above 1, from its lower left, as Unity
+/// takes them (Camera.rect).
+void placeDisplay(const Part& display, const Part& platform, const WindowPlacement& window, RoomWall& wall,
+                  Room& room) {
+  const Part* name = display.find("viewport");
+  const Part* viewports = platform.find("viewports");
+  const Part* viewport = name && viewports ? viewports->find(name->text) : nullptr;
+  if (name && !viewport)
+    addError(room, name->textAt, fmt::format("there is no viewport '{}'", printable(name->text)));
+  if (!viewport) return placeInWindow(window, {0, 0}, window.size_px, wall, room);
+  wall.at.pixels = viewport->at;
+  viewport->find("absolute");
+  constexpr Range kPlace{.least = 0.0, .most = kMostRoomPixels};
+  std::array<double, 4> values{};
+  constexpr std::array<std::string_view, 4> kNames{"x", "y", "width", "height"};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!viewport->find(kNames[i]))
+      addError(room, viewport->at, fmt::format("{} is missing in viewport", kNames[i]));
+    values[i] = number(*viewport, kNames[i], kPlace, false, room).value_or(i < 2 ? 0.0 : 1.0);
+  }
+  const bool isShare = std::all_of(values.begin(), values.end(), [](double value) { return value <= 1.0; });
+  const glm::dvec2 scale = isShare ? glm::dvec2(window.size_px) : glm::dvec2(1.0);
+  const glm::dvec2 low = glm::dvec2(values[0], values[1]) * scale;
+  const glm::ivec2 low_px(glm::round(low));
+  const glm::ivec2 high_px(glm::round(low + glm::dvec2(values[2], values[3]) * scale));
+  placeInWindow(window, {low_px.x, window.size_px.y - high_px.y}, glm::max(high_px - low_px, glm::ivec2(1)),
+                wall, room);
 }
 
 /// Reads a platform.
@@ -187,69 +159,7 @@ class HevsPlatform {
   void readPeople() {
     const glm::dvec3 standing_m(0.0, kStandingEyes_m, 0.0);
     addPerson("viewer", separation_m_, standing_m, separationAt_, "someone standing on the origin", room_);
-    const Part* trackers = platform_.find("trackers");
-    if (!trackers) return;
-    for (const Part& tracker : trackers->parts) readTracker(tracker);
-  }
-
-  void readTracker(const Part& tracker) {
-    tracker.isRead = true;
-    if (!alike(tracker.textOf("type"), "vrpn")) {
-      tracker.markRead();
-      return addWarning(room_, tracker.at,
-                        fmt::format("tracker '{}' of type '{}' is left out: it is no VRPN",
-                                    printable(tracker.name), printable(tracker.textOf("type"))));
-    }
-    flagOr(tracker, "apply_rotation", true, room_);
-    const auto axis = [&](const char* name, const char* usual) {
-      const Part* part = tracker.find(name);
-      return part ? part->text : std::string(usual);
-    };
-    Pose roomFromTracker;
-    const bool mirrored = alike(axis("handedness", "left"), "left");
-    // Without a word HEVS takes its own axes: x right, y up, z forward, left-handed.
-    if (mirrored && tracker.find("handedness")) {
-      addWarning(room_, tracker.placeOf("handedness"),
-                 fmt::format("tracker '{}' is left-handed, which no rig says: measure its room_from_tracker",
-                             printable(tracker.name)));
-    } else if (const auto turn =
-                   turnOfAxes(axis("right", "X"), axis("up", "Y"),
-                              axis("forward", tracker.find("handedness") ? "Z" : "-Z"), tracker.at, room_)) {
-      roomFromTracker.orientation = *turn;
-    }
-    readTransform(tracker, roomFromTracker);
-    const auto index =
-        addVrpn(tracker.name, tracker.textOf("address"), roomFromTracker, tracker.placeOf("address"), room_);
-    if (index) assign(tracker.name, *index);
-  }
-
-  void readTransform(const Part& tracker, Pose& roomFromTracker) {
-    const Part* transform = tracker.find("transform");
-    if (!transform) return;
-    if (const Part* translate = transform->find("translate")) {
-      if (const auto moved = arrayOf(*translate, 3, room_))
-        roomFromTracker.position_m = {(*moved)[0], (*moved)[1], -(*moved)[2]};
-    }
-    const Part* rotate = transform->find("rotate");
-    const auto turned = rotate ? arrayOf(*rotate, 3, room_) : std::nullopt;
-    if (turned &&
-        std::any_of(turned->begin(), turned->end(), [](double turn_deg) { return turn_deg != 0.0; })) {
-      addWarning(room_, rotate->textAt,
-                 fmt::format("the rotation of tracker '{}' is left out: measure its room_from_tracker",
-                             printable(tracker.name)));
-    }
-  }
-
-  /// Makes the tracker that the stereo settings name, or one called Head, the head's, and one called Wand or
-  /// Hand the hand's.
-  void assign(std::string_view name, std::size_t index) {
-    Person& person = room_.people.front();
-    if (name == headName_ || (headName_.empty() && alike(name, "head"))) {
-      person.setup.head.sensor = {index, 0};
-      person.isTracked = true;
-    } else if (alike(name, "wand") || alike(name, "hand")) {
-      person.setup.hand = HandSetup{{index, 0}, {}, {}};
-    }
+    readHevsTrackers(platform_, headName_, room_);
   }
 
   void readNode(const Part& node) {
@@ -288,77 +198,82 @@ class HevsPlatform {
                       fmt::format("there is no display '{}', which node '{}' shows", printable(name.text),
                                   printable(node.part.name)));
     }
-    const Part display = Inheritance(*displays, room_).of(*found);
+    const Part display = HevsInheritance(*displays, room_).of(*found);
     found->markRead();
-    const Part* type = display.find("type");
-    if (!type || !alike(type->text, "offaxis")) {
-      return addWarning(room_, type ? type->textAt : found->at,
-                        fmt::format("display '{}' of type '{}' is left out: it is no flat wall with a place, "
-                                    "expected offaxis",
-                                    printable(found->name), type ? printable(type->text) : "standard"));
+    const std::string type = display.textOf("type");
+    if (alike(type, "offaxis")) {
+      readFlat(display, node);
+    } else if (alike(type, "curved")) {
+      readCurved(display, node, hevsCylinder(display, hevsPlaceOf(display, platform_, room_), room_));
+    } else if (alike(type, "dome")) {
+      const auto dome = hevsDome(display, hevsPlaceOf(display, platform_, room_), room_);
+      readCurved(display, domeWindow(display, node), dome);
+    } else {
+      return addWarning(
+          room_, type.empty() ? found->at : display.placeOf("type"),
+          fmt::format("display '{}' of type '{}' is left out: nothing says where its screen is, "
+                      "expected offaxis, curved or dome",
+                      printable(found->name), type.empty() ? "standard" : printable(type)));
     }
-    readWall(display, node);
     nameUnread(display, kQuiet, room_);
   }
 
-  void readWall(const Part& display, const HevsNode& node) {
+  void readFlat(const Part& display, const HevsNode& node) {
+    const Pose place = hevsPlaceOf(display, platform_, room_);
+    const auto upperLeft = cornerOf(display, "ul", place, room_),
+               lowerLeft = cornerOf(display, "ll", place, room_),
+               lowerRight = cornerOf(display, "lr", place, room_);
+    if (!upperLeft || !lowerLeft || !lowerRight) return;
+    addWall(wallOf(display, node), {*lowerLeft, *lowerRight, *upperLeft, {"ll", "lr", "ul"}}, room_);
+  }
+
+  template <typename Shape>
+  void readCurved(const Part& display, const HevsNode& node, const std::optional<Shape>& shape) {
+    if (shape) addCurvedWall(wallOf(display, node), *shape, room_);
+  }
+
+  /// Returns the node with a window of the dome's fisheye picture if it gives none.
+  HevsNode domeWindow(const Part& display, HevsNode node) {
+    const Part* picture = display.find("fisheye_resolution");
+    if (!picture || node.sizeGiven) return node;
+    const auto size = arrayOf(*picture, 2, room_);
+    constexpr Range kSize{.least = 1.0, .most = kMostRoomPixels};
+    if (size && within(kSize, (*size)[0]) && within(kSize, (*size)[1]))
+      node.window.size_px = {(*size)[0], (*size)[1]};
+    return node;
+  }
+
+  /// Returns the wall of a display, without its place.
+  RoomWall wallOf(const Part& display, const HevsNode& node) {
     RoomWall wall;
     wall.at = {display.at, display.at, display.placeOf("lr"), display.at, node.part.at,
                display.at, display.at};
     wall.wall.name = display.name;
-    const auto upperLeft = pointOf(display, "ul", room_), lowerLeft = pointOf(display, "ll", room_),
-               lowerRight = pointOf(display, "lr", room_);
-    const Part* mode = display.find("stereo_mode");
-    wall.wall.stereo = mode ? modeOf(*mode, room_) : mode_;
-    const bool both = wall.wall.stereo != StereoMode::mono && wall.wall.stereo != StereoMode::left &&
-                      wall.wall.stereo != StereoMode::right;
-    if (swapsEyes_ && both) wall.wall.eyes = {{0, Eye::right}, {0, Eye::left}};
-    if (swapsEyes_ && !both && wall.wall.stereo != StereoMode::mono)
-      wall.wall.stereo = wall.wall.stereo == StereoMode::left ? StereoMode::right : StereoMode::left;
+    readEyes(display, wall.wall);
     WindowPlacement window = node.window;
     window.monitor =
         static_cast<int>(number(display, "monitor", {.least = 0.0, .most = 63.0}, true, room_).value_or(0.0));
-    place(display, window, wall);
-    if (!upperLeft || !lowerLeft || !lowerRight) return;
+    placeDisplay(display, platform_, window, wall, room_);
     if (!node.sizeGiven) {
       addWarning(room_, node.part.at,
                  fmt::format("node '{}' has no resolution: a window of {} × {} pixels is taken",
-                             printable(node.part.name), kAssumedWindow_px.x, kAssumedWindow_px.y));
+                             printable(node.part.name), window.size_px.x, window.size_px.y));
     }
     wall.wall.node = ranks_.of(hostOf(node.part), "", node.part.at);
-    addWall(std::move(wall), {*lowerLeft, *lowerRight, *upperLeft, {"ll", "lr", "ul"}}, room_);
+    return wall;
   }
 
-  std::string hostOf(const Part& node) const {
-    const Part* address = node.find("address");
-    const std::string host = address ? address->text : node.name;
-    return host == "localhost" || host == "127.0.0.1" ? "" : host;
-  }
-
-  /// Viewports are shares of the window, or pixels where a number is above 1, from its top left.
-  void place(const Part& display, const WindowPlacement& window, RoomWall& wall) {
-    const Part* name = display.find("viewport");
-    const Part* viewports = platform_.find("viewports");
-    const Part* viewport = name && viewports ? viewports->find(name->text) : nullptr;
-    if (name && !viewport)
-      addError(room_, name->textAt, fmt::format("there is no viewport '{}'", printable(name->text)));
-    if (!viewport) return placeInWindow(window, {0, 0}, window.size_px, wall, room_);
-    wall.at.pixels = viewport->at;
-    viewport->find("absolute");
-    constexpr Range kPlace{.least = 0.0, .most = kMostRoomPixels};
-    std::array<double, 4> values{};
-    constexpr std::array<std::string_view, 4> kNames{"x", "y", "width", "height"};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!viewport->find(kNames[i]))
-        addError(room_, viewport->at, fmt::format("{} is missing in viewport", kNames[i]));
-      values[i] = number(*viewport, kNames[i], kPlace, false, room_).value_or(i < 2 ? 0.0 : 1.0);
+  /// A display's own stereo settings win over the platform's.
+  void readEyes(const Part& display, Wall& wall) {
+    const Part* mode = display.find("stereo_mode");
+    wall.stereo = mode ? modeOf(*mode, room_) : mode_;
+    display.find("stereo_alignment");  // as every tracked wall here
+    if (!flagOr(display, "swap_eyes", swapsEyes_, room_) || wall.stereo == StereoMode::mono) return;
+    if (wall.stereo == StereoMode::left || wall.stereo == StereoMode::right) {
+      wall.stereo = wall.stereo == StereoMode::left ? StereoMode::right : StereoMode::left;
+    } else {
+      wall.eyes = {{0, Eye::right}, {0, Eye::left}};
     }
-    const bool isShare = std::all_of(values.begin(), values.end(), [](double value) { return value <= 1.0; });
-    const glm::dvec2 scale = isShare ? glm::dvec2(window.size_px) : glm::dvec2(1.0);
-    const glm::dvec2 low = glm::dvec2(values[0], values[1]) * scale;
-    const glm::ivec2 position_px(glm::round(low));
-    const glm::ivec2 end_px(glm::round(low + glm::dvec2(values[2], values[3]) * scale));
-    placeInWindow(window, position_px, glm::max(end_px - position_px, glm::ivec2(1)), wall, room_);
   }
 
   void nameUnused() {
@@ -406,11 +321,11 @@ Room readHevs(const std::filesystem::path& file, const Part& root, const std::st
   }
   const Part& chosen = platforms->parts[chooseRoom(names, places, platform, file)];
   room.title = printable(chosen.name);
-  const Part whole = Inheritance(*platforms, room).of(chosen);
+  const Part whole = HevsInheritance(*platforms, room).of(chosen);
   HevsPlatform(whole, room).read();
   room.assumptions.push_back("the file is left-handed, x right, y up, z forward: it is turned to z back");
   room.assumptions.push_back("each node is drawn by an MPI rank, the master first if it has walls");
-  finishRoom("a display of type offaxis that a node shows", room);
+  finishRoom("a display of type offaxis, curved or dome that a node shows", room);
   return room;
 }
 

@@ -17,9 +17,11 @@ namespace {
 
 constexpr double kInterocular_m = 0.069;  // VR Juggler's default
 
-/// What a chain of position filters does: room = pre · sensor · post.
+/// What a chain of position filters does: room = pre · sensor · post, the sensor's lengths in `unit_m`.
 struct JconfFilter {
   Pose pre, post;
+  double unit_m = 1.0;
+  FilePlace unitAt{};
 };
 
 Pose poseOf(const Part& filter, std::string_view translate, std::string_view rotate, Room& room) {
@@ -40,7 +42,7 @@ Pose poseOf(const Part& filter, std::string_view translate, std::string_view rot
 }
 
 /// Reads the filters of a device or proxy.
-JconfFilter filterOf(const Part& element, bool isDevice, Room& room) {
+JconfFilter filterOf(const Part& element, Room& room) {
   JconfFilter whole;
   for (const Part* filters : element.all("position_filters")) {
     for (const Part& filter : filters->parts) {
@@ -49,14 +51,8 @@ JconfFilter filterOf(const Part& element, bool isDevice, Room& room) {
       whole.post = whole.post * poseOf(filter, "post_translate", "post_rotation", room);
       const double scale = number(filter, "device_units", {}, false, room).value_or(1.0);
       const double custom = number(filter, "custom_scale", {}, false, room).value_or(1.0);
-      const double used = scale == 0.0 ? custom : scale;
-      if (isDevice && used != 1.0) {
-        addWarning(
-            room, filter.placeOf("device_units"),
-            fmt::format("the device's lengths are {} m: Carom takes those of its own protocol, which are "
-                        "metres",
-                        used));
-      }
+      whole.unit_m *= scale == 0.0 ? custom : scale;
+      whole.unitAt = filter.placeOf("device_units");
     }
   }
   return whole;
@@ -125,7 +121,7 @@ class JconfInput {
       return {};
     }
     const std::string device = proxy->textOf("device");
-    const JconfFilter ofProxy = filterOf(*proxy, false, room_);
+    const JconfFilter ofProxy = filterOf(*proxy, room_);
     const int unit =
         static_cast<int>(number(*proxy, "unit", {.least = 0.0, .most = 65535.0}, true, room_).value_or(0.0));
     for (const Part& element : elements_.parts) {
@@ -140,7 +136,7 @@ class JconfInput {
   }
 
   std::optional<JconfSensor> sensorOn(const Part& device, const JconfFilter& ofProxy, int unit) {
-    const JconfFilter ofDevice = filterOf(device, true, room_);
+    const JconfFilter ofDevice = filterOf(device, room_);
     const Pose roomFromTracker = ofProxy.pre * ofDevice.pre;
     const std::string name = device.textOf("name");
     std::optional<std::size_t> tracker;
@@ -152,6 +148,8 @@ class JconfInput {
       const auto port = number(device, key, {.least = 1.0, .most = 65535.0}, true, room_);
       tracker = addDtrack(name, static_cast<int>(port.value_or(5000.0)), roomFromTracker, device.placeOf(key),
                           room_);
+    } else if (alike(device.name, "trackd_sensor")) {
+      tracker = trackdOf(device, ofDevice, roomFromTracker);
     } else {
       if (told_.insert(&device).second) {
         device.markRead();
@@ -164,6 +162,13 @@ class JconfInput {
       return {};
     }
     if (!tracker) return {};
+    if (ofDevice.unit_m != 1.0 && room_.trackers[*tracker].kind != TrackerKind::trackd) {
+      addWarning(
+          room_, ofDevice.unitAt,
+          fmt::format("the lengths of device '{}' are {} m: Carom takes those of its own protocol, which are "
+                      "metres",
+                      printable(name), ofDevice.unit_m));
+    }
     const Pose& known = room_.trackers[*tracker].roomFromTracker;
     if (glm::distance(known.position_m, roomFromTracker.position_m) > 1e-6 ||
         std::abs(glm::dot(known.orientation, roomFromTracker.orientation)) < 1.0 - 1e-9) {
@@ -173,6 +178,22 @@ class JconfInput {
     }
     const Pose post = ofDevice.post * ofProxy.post;
     return JconfSensor{{*tracker, unit}, post};
+  }
+
+  /// The sensors' shared memory, with that of the wand if the file has one.
+  std::optional<std::size_t> trackdOf(const Part& device, const JconfFilter& filter,
+                                      const Pose& roomFromTracker) {
+    constexpr Range kKey{.least = 1.0, .most = 2147483647.0};
+    const auto keyOf = [&](const Part& memory, double usual) {
+      return static_cast<int>(number(memory, "shared_memory_key", kKey, true, room_).value_or(usual));
+    };
+    TrackdMemory memory;
+    memory.sensors = keyOf(device, 4126.0);
+    for (const Part* wand : elements_.all("trackd_controller")) memory.wand = keyOf(*wand, 4127.0);
+    const auto unit_m = rigUnit_m(filter.unit_m, filter.unitAt, room_);
+    if (!unit_m) return {};
+    memory.unit_m = *unit_m;
+    return addTrackd(device.textOf("name"), memory, roomFromTracker, device.at, room_);
   }
 
   /// Names the proxies that nobody uses.

@@ -79,7 +79,7 @@ Room readXmlRoom(const std::filesystem::path& file, const std::string& wanted) {
   if (isOneOf(name, {"Cluster"})) return readSgctWithTrackers(file, sgctFromXml(partOf(xml.root)));
   if (isOneOf(name, {"blender_cave", "virtualEnvironment", "blendervr"}))
     return readBlender(file, partOf(xml.root), xml.leftOut, wanted);
-  if (isOneOf(name, {"configuration"})) return readJconf(file, partOf(xml.root));
+  if (isOneOf(name, {"configuration"})) return readJconf(file, partOf(xml.root), wanted);
   if (file.extension() == ".pvx") return readPvx(file);  // says what it misses
   refuse(file, xml.root.at, fmt::format("the first element is <{}>", printable(name)));
 }

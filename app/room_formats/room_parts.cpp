@@ -12,16 +12,26 @@
 #include <stdexcept>
 
 #include "app/file_keys/rig_keys.h"
+#include "app/files/rig_screen.h"
 #include "app/room_import/foreign_room.h"
 #include "cave/room/rectangle.h"
-#include "devices/network/dtrack_tracker.h"
-#include "devices/network/vrpn_tracker.h"
+#include "cave/screen/flat_pieces.h"
+#include "devices/setup/tracker_factory.h"
 
 namespace carom {
 namespace {
 
 constexpr std::size_t kMostRoomWalls = 512;
 constexpr int kAssumedLines_px = 1080;
+
+/// Returns whether the room may have one more curved wall of this many pixels: meshes take memory and time.
+bool takesCurved(const RoomWall& wall, const Room& room) {
+  constexpr int kMostCurved_px = 8192;
+  constexpr std::ptrdiff_t kMostCurved = 16;
+  return std::max(wall.wall.pixels.x, wall.wall.pixels.y) <= kMostCurved_px &&
+         std::count_if(room.walls.begin(), room.walls.end(),
+                       [](const RoomWall& other) { return other.wall.screen != nullptr; }) < kMostCurved;
+}
 
 bool isPlain(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
@@ -43,39 +53,11 @@ void assumePixels(RoomWall& wall, Room& room) {
                          wall.wall.pixels.x, wall.wall.pixels.y));
 }
 
-std::optional<std::size_t> addTracker(std::string_view name, TrackerKind kind, std::string source,
-                                      const Pose& roomFromTracker, FilePlace at, Room& room) {
-  try {
-    if (kind == TrackerKind::vrpn) {
-      readVrpnSource(source);
-    } else {
-      readDtrackSource(source);
-    }
-  } catch (const std::invalid_argument& wrong) {
-    addWarning(room, at,
-               fmt::format("tracker '{}' is left out: {}", printable(std::string(name)), wrong.what()));
-    return {};
-  }
-  for (std::size_t i = 0; i < room.trackers.size(); ++i) {
-    if (room.trackers[i].source == source) return i;
-  }
-  if (room.trackers.size() >= kMostTrackers) {
-    addWarning(room, at, fmt::format("a tracker is left out: a rig has at most {}", kMostTrackers));
-    return {};
-  }
-  TrackerSetup tracker;
-  const auto taken = [&] {
-    return std::any_of(room.trackers.begin(), room.trackers.end(),
-                       [&](const TrackerSetup& other) { return other.name == tracker.name; });
-  };
-  const std::string given = name.empty() ? "tracker" : printable(std::string(name));
-  tracker.name = given;
-  for (int number = 2; taken(); ++number) tracker.name = fmt::format("{}-{}", given, number);
-  tracker.kind = kind;
-  tracker.source = source;
-  tracker.roomFromTracker = roomFromTracker;
-  room.trackers.push_back(std::move(tracker));
-  return room.trackers.size() - 1;
+/// Returns whether the room may have one wall more; adds an error if not.
+bool takesWall(const RoomWall& wall, Room& room) {
+  if (room.walls.size() < kMostRoomWalls) return true;
+  addError(room, wall.at.wall, fmt::format("there are more than {} walls", kMostRoomWalls));
+  return false;
 }
 
 bool sameWindow(const RoomWall& a, const RoomWall& b) {
@@ -159,11 +141,8 @@ ReadCorners rectangleAround(const glm::dvec3& middle_m, const glm::dvec3& right,
 }
 
 bool addWall(RoomWall wall, const ReadCorners& corners, Room& room) {
+  if (!takesWall(wall, room)) return false;
   wall.wall.name = rigName(room, printable(wall.wall.name));
-  if (room.walls.size() >= kMostRoomWalls) {
-    addError(room, wall.at.wall, fmt::format("there are more than {} walls", kMostRoomWalls));
-    return false;
-  }
   const ThreeCorners three{{corners.lowerRight_m, corners.lowerLeft_m, corners.upperLeft_m},
                            {corners.names[1], corners.names[0], corners.names[2]}};
   if (const auto fault = rectangleFault(wall.wall.name, three)) {
@@ -174,6 +153,23 @@ bool addWall(RoomWall wall, const ReadCorners& corners, Room& room) {
   wall.wall.lowerRight_m = corners.lowerRight_m;
   wall.wall.upperLeft_m = corners.upperLeft_m;
   if (wall.wall.pixels.x <= 0 || wall.wall.pixels.y <= 0) assumePixels(wall, room);
+  room.walls.push_back(std::move(wall));
+  return true;
+}
+
+bool addCurvedWall(RoomWall wall, const ScreenFormula& shape, Room& room) {
+  if (!takesWall(wall, room)) return false;
+  if (!takesCurved(wall, room)) {
+    addError(room, wall.at.wall, "expected at most 16 curved walls, of at most 8192 pixels each way");
+    return false;
+  }
+  wall.wall.name = rigName(room, printable(wall.wall.name));
+  if (!curve({.shape = shape, .sagitta_m = sagittaFor_m(shape)}, room.axes, wall.wall)) {
+    addError(room, wall.at.wall,
+             fmt::format("the screen of wall '{}' takes more than {} flat pieces, expected a smaller one",
+                         wall.wall.name, kMostPieces));
+    return false;
+  }
   room.walls.push_back(std::move(wall));
   return true;
 }
@@ -286,19 +282,73 @@ std::size_t addPerson(std::string_view name, double eyeSeparation_m, const glm::
   return room.people.size() - 1;
 }
 
+std::optional<std::size_t> addTracker(TrackerSetup tracker, FilePlace at, Room& room) {
+  const std::string given = tracker.name.empty() ? "tracker" : printable(tracker.name);
+  try {
+    rowOf(tracker.kind).make(tracker, room.axes);
+  } catch (const std::invalid_argument& wrong) {
+    addWarning(room, at, fmt::format("tracker '{}' is left out: {}", given, wrong.what()));
+    return {};
+  }
+  for (std::size_t i = 0; i < room.trackers.size(); ++i) {
+    if (room.trackers[i].kind == tracker.kind && room.trackers[i].source == tracker.source) return i;
+  }
+  if (room.trackers.size() >= kMostTrackers) {
+    addWarning(room, at, fmt::format("a tracker is left out: a rig has at most {}", kMostTrackers));
+    return {};
+  }
+  const auto taken = [&] {
+    return std::any_of(room.trackers.begin(), room.trackers.end(),
+                       [&](const TrackerSetup& other) { return other.name == tracker.name; });
+  };
+  tracker.name = given;
+  for (int number = 2; taken(); ++number) tracker.name = fmt::format("{}-{}", given, number);
+  room.trackers.push_back(std::move(tracker));
+  return room.trackers.size() - 1;
+}
+
 std::optional<std::size_t> addVrpn(std::string_view name, std::string_view address,
                                    const Pose& roomFromTracker, FilePlace at, Room& room) {
   const std::size_t sign = address.find('@');
   std::string host(sign == std::string_view::npos ? "localhost" : address.substr(sign + 1));
   const std::string sender(address.substr(0, sign));
   if (host.find("://") == std::string::npos) host = "tcp://" + host;
-  return addTracker(name, TrackerKind::vrpn, sender + "@" + host, roomFromTracker, at, room);
+  return addTracker({.name = std::string(name),
+                     .kind = TrackerKind::vrpn,
+                     .source = sender + "@" + host,
+                     .roomFromTracker = roomFromTracker},
+                    at, room);
 }
 
 std::optional<std::size_t> addDtrack(std::string_view name, int port, const Pose& roomFromTracker,
                                      FilePlace at, Room& room) {
-  return addTracker(name, TrackerKind::dtrack, fmt::format("udp://0.0.0.0:{}", port), roomFromTracker, at,
-                    room);
+  return addTracker({.name = std::string(name),
+                     .kind = TrackerKind::dtrack,
+                     .source = fmt::format("udp://0.0.0.0:{}", port),
+                     .roomFromTracker = roomFromTracker},
+                    at, room);
+}
+
+std::optional<std::size_t> addTrackd(std::string_view name, const TrackdMemory& memory,
+                                     const Pose& roomFromTracker, FilePlace at, Room& room) {
+  return addTracker({.name = std::string(name),
+                     .kind = TrackerKind::trackd,
+                     .source = fmt::format("shm://{}{}", memory.sensors,
+                                           memory.wand ? fmt::format("?wand={}", *memory.wand) : ""),
+                     .unit_m = memory.unit_m,
+                     .roomFromTracker = roomFromTracker},
+                    at, room);
+}
+
+std::optional<double> rigUnit_m(double unit_m, FilePlace at, Room& room) {
+  constexpr double kSame = 1e-3;  // files round the foot
+  for (const double known_m : kMetresPerUnit) {
+    if (std::abs(unit_m - known_m) <= kSame * known_m) return known_m;
+  }
+  addWarning(
+      room, at,
+      fmt::format("lengths in units of {} m are none that a rig has, expected mm, cm, m, in or ft", unit_m));
+  return {};
 }
 
 std::optional<glm::dquat> rotationOf(const glm::dmat3& matrix) {

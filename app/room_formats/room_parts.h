@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -14,6 +15,7 @@
 
 #include "app/room_formats/part.h"
 #include "app/room_import/room.h"
+#include "cave/screen/screen_shape.h"
 
 namespace carom {
 
@@ -36,6 +38,10 @@ ReadCorners rectangleAround(const glm::dvec3& middle_m, const glm::dvec3& right,
 /// corners make no rectangle or there are too many walls. A wall without pixels gets 1080 lines, with a
 /// warning. Returns whether the wall was added.
 bool addWall(RoomWall wall, const ReadCorners& corners, Room& room);
+
+/// Adds a wall whose screen is curved, like addWall. Its pixels are set before. Adds an error instead if the
+/// screen takes too many flat pieces.
+bool addCurvedWall(RoomWall wall, const ScreenFormula& shape, Room& room);
 
 /// Gives the wall its part of a window, in pixels from the window's top left, and its pixels. A part that
 /// reaches out of the window is cut, with a warning. The whole window is no part.
@@ -76,13 +82,26 @@ std::string viewerName(const Room& room, std::string_view given);
 std::size_t addPerson(std::string_view name, double eyeSeparation_m, const glm::dvec3& eyes_m, FilePlace at,
                       std::string words, Room& room);
 
-/// Adds a VRPN tracker by its address "name@host". Returns its index, or nothing, with a warning noted, if no
-/// such address can be used. A tracker that is there already is not added again.
+/// Adds a tracker. Returns its index, or nothing, with a warning noted, if its source is none that the kind
+/// can use. A tracker of that source that is there already is not added again.
+std::optional<std::size_t> addTracker(TrackerSetup tracker, FilePlace at, Room& room);
+/// The same of a VRPN tracker by its address "name@host".
 std::optional<std::size_t> addVrpn(std::string_view name, std::string_view address,
                                    const Pose& roomFromTracker, FilePlace at, Room& room);
 /// The same of a tracker by ART that sends to this port of the first computer.
 std::optional<std::size_t> addDtrack(std::string_view name, int port, const Pose& roomFromTracker,
                                      FilePlace at, Room& room);
+
+/// The shared memory of CAVELib's daemon: the keys of its segments and the unit of its lengths.
+struct TrackdMemory {
+  int sensors = 4126;
+  std::optional<int> wand;
+  double unit_m = 0.3048;  ///< one of kMetresPerUnit (app/file_keys/rig_keys.h)
+};
+std::optional<std::size_t> addTrackd(std::string_view name, const TrackdMemory& memory,
+                                     const Pose& roomFromTracker, FilePlace at, Room& room);
+/// Returns the unit of a rig that is this long; nothing, with a warning noted, if there is none.
+std::optional<double> rigUnit_m(double unit_m, FilePlace at, Room& room);
 
 /// Returns the rotation whose matrix has these columns; none if they are no rotation (mirrored axes).
 std::optional<glm::dquat> rotationOf(const glm::dmat3& matrix);

@@ -6,22 +6,36 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <optional>
 #include <set>
+#include <variant>
 
 #include "app/calibration/rig_lines.h"
+#include "app/file_keys/rig_keys.h"
+#include "app/files/rig_screen.h"
 #include "app/room_import/room_check.h"
+#include "cave/screen/curved_screen.h"
 
 namespace carom {
 namespace {
 
-/// Returns a length in the room's unit, to a thousandth of a millimetre.
-std::string lengthIn(const Room& room, double length_m) {
-  const double unit_m = room.unit == "mm" ? 1e-3 : room.unit == "cm" ? 1e-2 : 1.0;
-  const int decimals = room.unit == "mm" ? 3 : room.unit == "cm" ? 4 : 6;
-  std::string text = fmt::format("{:.{}f}", length_m / unit_m, decimals);
+/// Returns a number without needless zeros.
+std::string plain(double value, int decimals = 6) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text += '0';
   return text == "-0.0" ? "0.0" : text;
+}
+
+std::string plainVector(const glm::dvec3& v) {
+  return fmt::format("[{}, {}, {}]", plain(v.x), plain(v.y), plain(v.z));
+}
+
+/// Returns a length in the room's unit, to a thousandth of a millimetre.
+std::string lengthIn(const Room& room, double length_m) {
+  const double unit_m = room.unit == "mm" ? 1e-3 : room.unit == "cm" ? 1e-2 : 1.0;
+  return plain(length_m / unit_m, room.unit == "mm" ? 3 : room.unit == "cm" ? 4 : 6);
 }
 
 std::string vectorIn(const Room& room, const glm::dvec3& v) {
@@ -29,15 +43,8 @@ std::string vectorIn(const Room& room, const glm::dvec3& v) {
 }
 
 std::string poseIn(const Room& room, const Pose& pose) {
-  const glm::dvec3 turn_deg = rotation_deg(pose.orientation);
-  const auto degrees = [](double value) {
-    std::string text = fmt::format("{:.6f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text += '0';
-    return text == "-0.0" ? std::string("0.0") : text;
-  };
-  return fmt::format("{{ translation = {}, rotation_deg = [{}, {}, {}] }}", vectorIn(room, pose.position_m),
-                     degrees(turn_deg.x), degrees(turn_deg.y), degrees(turn_deg.z));
+  return fmt::format("{{ translation = {}, rotation_deg = {} }}", vectorIn(room, pose.position_m),
+                     plainVector(rotation_deg(pose.orientation)));
 }
 
 bool isIdentity(const Pose& pose) {
@@ -88,6 +95,11 @@ std::string peopleText(const Room& room) {
   return text;
 }
 
+std::string_view unitName(double unit_m) {
+  const auto found = std::find(kMetresPerUnit.begin(), kMetresPerUnit.end(), unit_m);
+  return kLengthUnits.at(static_cast<std::size_t>(found - kMetresPerUnit.begin()));
+}
+
 std::string trackersText(const Room& room) {
   std::string text;
   for (const TrackerSetup& tracker : room.trackers) {
@@ -95,6 +107,7 @@ std::string trackersText(const Room& room) {
                         toString(tracker.kind));
     if (tracker.kind == TrackerKind::simulated && room.people.size() > 1) text += "person = \"walks\"\n";
     if (!tracker.source.empty()) text += fmt::format("source = {}\n", tomlText(tracker.source.string()));
+    if (tracker.kind == TrackerKind::trackd) text += fmt::format("unit = \"{}\"\n", unitName(tracker.unit_m));
     text += fmt::format("room_from_tracker = {}\n", poseIn(room, tracker.roomFromTracker));
   }
   return text;
@@ -111,6 +124,64 @@ std::string nodesText(const Room& room) {
   return text;
 }
 
+/// Returns the shape of a curved wall that has a formula.
+std::optional<ScreenFormula> shapeOf(const Wall& wall) {
+  if (!wall.screen) return {};
+  if (const auto* cylinder = std::get_if<CylinderScreen>(&wall.screen->shape)) return *cylinder;
+  if (const auto* dome = std::get_if<DomeScreen>(&wall.screen->shape)) return *dome;
+  if (const auto* sky = std::get_if<Sky>(&wall.screen->shape)) return SkyText{*sky, *wall.sky};
+  return {};
+}
+
+std::string shapeText(const Room& room, const CylinderScreen& screen) {
+  return fmt::format(
+      "shape = \"cylinder\", foot = {}, axis = {}, radius = {}, from_deg = {}, to_deg = {}, bottom = {}, top "
+      "= {}",
+      vectorIn(room, screen.foot_m), plainVector(screen.axis), lengthIn(room, screen.radius_m),
+      plain(glm::degrees(screen.from_rad)), plain(glm::degrees(screen.to_rad)),
+      lengthIn(room, screen.bottom_m), lengthIn(room, screen.top_m));
+}
+
+/// Returns by how much an axis leans from upright towards its front, and where that front is.
+std::string leaningText(const RoomAxes& axes, const glm::dvec3& axis, const glm::dvec3& front) {
+  const double upright = glm::dot(axis, axes.up), leaning = -glm::dot(front, axes.up);
+  const glm::dvec3 heading = leaning * axis + upright * front;
+  return fmt::format(
+      "tilt_deg = {}, heading_deg = {}", plain(glm::degrees(std::atan2(leaning, upright))),
+      plain(glm::degrees(std::atan2(glm::dot(heading, axes.right), glm::dot(heading, axes.forward)))));
+}
+
+std::string shapeText(const Room& room, const DomeScreen& screen) {
+  return fmt::format("shape = \"dome\", centre = {}, radius = {}, fov_deg = {}, {}",
+                     vectorIn(room, screen.centre_m), lengthIn(room, screen.radius_m),
+                     plain(glm::degrees(screen.fov_rad)), leaningText(room.axes, screen.axis, screen.front));
+}
+
+std::string shapeText(const Room& room, const SkyText& text) {
+  const Sky& sky = text.sky;
+  const auto& from_m = text.eyes.from_m;
+  return fmt::format("kind = \"{}\", fov_deg = {}, {}{}", kSkyKinds[static_cast<std::size_t>(sky.kind)],
+                     plain(glm::degrees(sky.fov_rad)), leaningText(room.axes, sky.axis, sky.front),
+                     from_m ? fmt::format(", from = {}", vectorIn(room, *from_m)) : "");
+}
+
+/// Returns the screen of a wall that a reader has made of a formula.
+std::string screenText(const Room& room, const ScreenFormula& shape) {
+  std::string text =
+      fmt::format("{} = {{ {} }}\n", std::holds_alternative<SkyText>(shape) ? "sky" : "screen",
+                  std::visit([&](const auto& known) { return shapeText(room, known); }, shape));
+  if (const double sagitta_m = sagittaFor_m(shape); sagitta_m > kUsualSagitta_m)
+    text += fmt::format("facet_sagitta = {}\n", lengthIn(room, sagitta_m));
+  return text;
+}
+
+/// Returns the wall's corners, or its screen.
+std::string placeText(const Room& room, const Wall& wall) {
+  if (const auto shape = shapeOf(wall)) return screenText(room, *shape);
+  return fmt::format("lower_left = {}\nlower_right = {}\nupper_left = {}\n", vectorIn(room, wall.lowerLeft_m),
+                     vectorIn(room, wall.lowerRight_m), vectorIn(room, wall.upperLeft_m));
+}
+
 std::string wallText(const Room& room, const Wall& wall) {
   std::string part;
   if (wall.viewport) {
@@ -119,12 +190,9 @@ std::string wallText(const Room& room, const Wall& wall) {
                     wall.viewport->position_px.y, wall.viewport->size_px.x, wall.viewport->size_px.y);
   }
   std::string text = fmt::format(
-      "\n[[wall]]\nname = {}\nlower_left = {}\nlower_right = {}\nupper_left = {}\npixels = [{}, {}]\nnode = "
-      "{}\n"
-      "window = {{ {}{} }}\nstereo = \"{}\"\n",
-      tomlText(wall.name), vectorIn(room, wall.lowerLeft_m), vectorIn(room, wall.lowerRight_m),
-      vectorIn(room, wall.upperLeft_m), wall.pixels.x, wall.pixels.y, wall.node, windowText(wall.window),
-      part, toString(wall.stereo));
+      "\n[[wall]]\nname = {}\n{}pixels = [{}, {}]\nnode = {}\nwindow = {{ {}{} }}\nstereo = \"{}\"\n",
+      tomlText(wall.name), placeText(room, wall), wall.pixels.x, wall.pixels.y, wall.node,
+      windowText(wall.window), part, toString(wall.stereo));
   if (room.people.size() > 1)
     text += fmt::format("viewer = {}\n", tomlText(room.people[wall.viewer].setup.name));
   if (!wall.eyes.empty()) {
@@ -140,6 +208,20 @@ std::string wallText(const Room& room, const Wall& wall) {
   return text;
 }
 
+glm::dvec3& placeOf_m(CylinderScreen& screen) { return screen.foot_m; }
+glm::dvec3& placeOf_m(DomeScreen& screen) { return screen.centre_m; }
+glm::dvec3& placeOf_m(SkyText& text) { return text.eyes.from_m ? *text.eyes.from_m : text.sky.middle_m; }
+
+void move(Wall& wall, const glm::dvec3& shift_m, const RoomAxes& axes) {
+  wall.lowerLeft_m += shift_m;
+  wall.lowerRight_m += shift_m;
+  wall.upperLeft_m += shift_m;
+  auto shape = shapeOf(wall);
+  if (!shape) return;
+  std::visit([&](auto& known) { placeOf_m(known) += shift_m; }, *shape);
+  curve({.shape = *shape, .sagitta_m = sagittaFor_m(*shape)}, axes, wall);
+}
+
 }  // namespace
 
 void putOnFloor(Room& room) {
@@ -149,11 +231,7 @@ void putOnFloor(Room& room) {
   const glm::dvec3 beneath_m =
       room.originUnderViewer ? room.viewers.front().eyes_m - eyes_m * up : glm::dvec3(0.0);
   const glm::dvec3 shift_m = -beneath_m + (floor_m ? -*floor_m : kStandingEyes_m - eyes_m) * up;
-  for (RoomWall& wall : room.walls) {
-    wall.wall.lowerLeft_m += shift_m;
-    wall.wall.lowerRight_m += shift_m;
-    wall.wall.upperLeft_m += shift_m;
-  }
+  for (RoomWall& wall : room.walls) move(wall.wall, shift_m, room.axes);
   for (Viewer& viewer : room.viewers) viewer.eyes_m += shift_m;
   for (TrackerSetup& tracker : room.trackers) tracker.roomFromTracker.position_m += shift_m;
   room.floor_m = 0.0;

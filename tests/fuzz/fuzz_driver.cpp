@@ -1,6 +1,7 @@
 // Runs a libFuzzer target without libFuzzer: every kept input, then mutations of them, the same ones in every
-// run. TARGET [-runs=N] [-seed=N] [-max_len=N] FOLDER_OR_FILE…
-// A crash keeps its input in the file crash-SEED-RUN and prints the command that runs it again.
+// run. TARGET [-runs=N] [-seed=N] [-max_len=N] [-timeout=SECONDS] FOLDER_OR_FILE…
+// A crash keeps its input in the file crash-SEED-RUN and prints the command that runs it again; so does an
+// input that takes more processor time than the timeout.
 
 #include <charconv>
 #include <csignal>
@@ -13,6 +14,7 @@
 #include <string_view>
 
 #include <fcntl.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include "mutate.h"
@@ -30,12 +32,14 @@ namespace {
 using carom::test::Bytes;
 
 struct Options {
-  std::size_t runs = 20000, seed = 1, longest = 4096;
+  std::size_t runs = 20000, seed = 1, longest = 4096, timeout_s = 0;
   std::vector<std::filesystem::path> folders;
+  std::string program;
 };
 
 Options read(int argc, char** argv) {
   Options options;
+  options.program = std::filesystem::absolute(argv[0]);
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     const auto number = [&](std::string_view name, std::size_t& value) {
@@ -44,7 +48,7 @@ Options read(int argc, char** argv) {
       return true;
     };
     if (number("-runs=", options.runs) || number("-seed=", options.seed) ||
-        number("-max_len=", options.longest)) {
+        number("-max_len=", options.longest) || number("-timeout=", options.timeout_s)) {
       continue;
     }
     options.folders.emplace_back(argument);
@@ -72,15 +76,24 @@ struct Current {
   char file[4096]{}, command[8192]{};
 } current;
 
+/// Sends SIGPROF after this much processor time; 0: never.
+void limitTime(std::size_t timeout_s) {
+  itimerval limit{};
+  limit.it_value.tv_sec = static_cast<time_t>(timeout_s);
+  setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
 /// Tries an input; `file` is where it is kept or, if the target crashes, will be kept.
-void tryInput(const Bytes& input, const std::string& file, const std::string& program, bool isKept) {
+void tryInput(const Bytes& input, const std::string& file, const Options& options, bool isKept) {
   current.input = nullptr;
   std::snprintf(current.file, sizeof current.file, "%s", file.c_str());
-  std::snprintf(current.command, sizeof current.command, "\ncrashed; again: %s -runs=0 %s\n", program.c_str(),
-                file.c_str());
+  std::snprintf(current.command, sizeof current.command, "\ncrashed; again: %s -runs=0 -timeout=%zu %s\n",
+                options.program.c_str(), options.timeout_s, file.c_str());
   current.isKept = isKept;
   current.input = &input;
+  limitTime(options.timeout_s);
   LLVMFuzzerTestOneInput(input.data(), input.size());
+  limitTime(0);
   current.input = nullptr;
 }
 
@@ -107,7 +120,8 @@ void keepInput() {
   writeAll(STDERR_FILENO, current.command, std::char_traits<char>::length(current.command));
 }
 
-/// Keeps the input on every signal of a fault; an exception that nobody catches ends in SIGABRT.
+/// Keeps the input on every signal of a fault, and of time that is up; an exception that nobody catches ends
+/// in SIGABRT.
 void keepInputOnCrash() {
   static char stack[1 << 16];  // a full stack is a fault, too, and leaves no room for the handler
   const stack_t alternative{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
@@ -118,7 +132,7 @@ void keepInputOnCrash() {
     raise(signal);  // with SA_RESETHAND: ends as it would have ended
   };
   action.sa_flags = SA_ONSTACK | SA_RESETHAND;
-  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) {
+  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGPROF}) {
     sigaction(signal, &action, nullptr);
   }
 }
@@ -133,12 +147,11 @@ int main(int argc, char** argv) {
     return 1;
   }
   keepInputOnCrash();
-  const std::string program = std::filesystem::absolute(argv[0]);
   std::vector<Bytes> inputs;
   for (const auto& file : files) {
     std::ifstream in(file, std::ios::binary);
     inputs.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-    tryInput(inputs.back(), absolute(file), program, true);
+    tryInput(inputs.back(), absolute(file), options, true);
   }
   const std::string crash = std::filesystem::current_path() / ("crash-" + std::to_string(options.seed) + "-");
   std::mt19937_64 random(options.seed);
@@ -147,7 +160,7 @@ int main(int argc, char** argv) {
     const Bytes& other = inputs[random() % inputs.size()];
     Bytes input = carom::test::mutated(one, other, random);
     input.resize(std::min(input.size(), options.longest));
-    tryInput(input, crash + std::to_string(run), program, false);
+    tryInput(input, crash + std::to_string(run), options, false);
   }
   std::printf("%zu kept inputs, %zu mutations\n", inputs.size(), options.runs);
   return 0;

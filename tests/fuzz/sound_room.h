@@ -5,12 +5,21 @@
 #include <glm/geometric.hpp>
 
 #include "app/room_import/room_check.h"
+#include "cave/screen/curved_screen.h"
 #include "fuzz/expect.h"
 
 namespace carom::test {
 
 inline void expectSound(const Room& room) {
   for (const RoomWall& wall : room.walls) {
+    if (wall.wall.screen) {
+      expect(!wall.wall.screen->pieces.empty(), "curved walls have flat pieces");
+      for (const ScreenTriangle& triangle : wall.wall.screen->mesh) {
+        for (const ScreenPoint& point : triangle)
+          expect(std::isfinite(glm::length(point.inRoom_m)), "screens are somewhere");
+      }
+      continue;
+    }
     const glm::dvec3 right = wall.wall.lowerRight_m - wall.wall.lowerLeft_m;
     const glm::dvec3 up = wall.wall.upperLeft_m - wall.wall.lowerLeft_m;
     expect(std::isfinite(glm::length(glm::cross(right, up))) && glm::length(glm::cross(right, up)) > 0.0,

@@ -237,7 +237,7 @@ TEST(SessionFile, AColumnThatCannotBeIsRefusedWithFileFrameAndField) {
       {"board_from_room_ is no Lorentz transform", "frame SET board_from_room_yz = 1e300"},
       {"a knot's signal_x_m is nan", "knot SET signal_x_m = x'00'"},
       {"body is 1.5, expected a whole number", "knot SET body = 1.5"},
-      {"an event's kind is 7, expected 0 to 6", "frame_event SET kind = 7"},
+      {"an event's kind is 9, expected 0 to 8", "frame_event SET kind = 9"},
       {"an event's cushion is 4, expected 0 to 3", "frame_event SET cushion = 5"},
       {"an event's heat_j is nan", "frame_event SET heat_j = NULL"},
       {"no such event can be", "frame_event SET turns = 3"},
@@ -248,6 +248,7 @@ TEST(SessionFile, AColumnThatCannotBeIsRefusedWithFileFrameAndField) {
   const auto whole = folder / "whole.db", file = folder / "game.db";
   { Journal(whole, kFacts, false).add(frameOf(12), head(), {}); }
   EXPECT_EQ(refusalOfFirst(whole), "accepted");
+  static_assert(kLastEventKind == EventKind{8});
   for (const auto& [said, sql] : damages) {
     std::filesystem::copy_file(whole, file, std::filesystem::copy_options::overwrite_existing);
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(std::string("UPDATE ") + sql);

@@ -101,6 +101,49 @@ TEST(CoverFile, TrackersBodiesAndPersonsAreTakenOver) {
   EXPECT_EQ(viewer.hand->sensor, 101);
 }
 
+TEST(CoverFile, ChannelsTakeScreensAndViewportsOfTheirNumbers) {
+  // Names count, not the order in the file; numbers of a viewport above 1 are pixels, others shares.
+  const Room room = roomOf(
+      "room.xml",
+      "<COCONFIG><GLOBAL><COVER><StereoMode value='ANAGLYPHIC'/><ScreenConfig>"
+      "<Screen name='2' comment='DARK' render='off'/><Screen name='1' comment='B' originX='4000'/><Screen "
+      "name='0' "
+      "comment='A'/></ScreenConfig><ChannelConfig><Channel name='1' stereoMode='RIGHT'/><Channel "
+      "name='0'/><Channel "
+      "name='2'/></ChannelConfig><ViewportConfig><Viewport name='1' windowIndex='0' left='0.5' bottom='100' "
+      "width='0.5' top='700'/><Viewport name='0' windowIndex='0' "
+      "width='500'/></ViewportConfig><WindowConfig><Window "
+      "name='0' width='1000' height='800'/></WindowConfig></COVER></GLOBAL></COCONFIG>");
+  ASSERT_EQ(room.walls.size(), 2u) << allFindings(room);
+  const Wall &a = wallOf(room, "A").wall, &b = wallOf(room, "B-right").wall;
+  EXPECT_EQ(a.viewport->position_px, glm::ivec2(0, 0));
+  EXPECT_EQ(a.pixels, glm::ivec2(500, 800));
+  EXPECT_EQ(a.stereo, StereoMode::anaglyph) << "that of the computer";
+  EXPECT_EQ(b.viewport->position_px, glm::ivec2(500, 100));
+  EXPECT_EQ(b.pixels, glm::ivec2(500, 600));
+  EXPECT_NE(findingWith(room, "screen 'DARK' of computer '' is left out: it is not rendered").at.line, 0)
+      << allFindings(room);
+}
+
+TEST(CoverFile, SharedMemoryAndNatNetAreTrackers) {
+  const auto withDriver = [](const std::string& attributes) {
+    return roomOf("room.xml", with(kCave, "driver=\"dtrack\" port=\"5001\"", attributes));
+  };
+  const Room room = withDriver("driver=\"CAVELIB\" SHMID=\"7000\" unit=\"cm\"");
+  ASSERT_EQ(room.trackers.size(), 1u) << allFindings(room);
+  EXPECT_EQ(room.trackers[0].kind, TrackerKind::trackd);
+  EXPECT_EQ(room.trackers[0].source, "shm://7000?wand=4127");
+  EXPECT_EQ(room.trackers[0].unit_m, 0.01);
+  EXPECT_LT(glm::distance(room.trackers[0].roomFromTracker.position_m, {0.01, 0.02, -1.5}), 1e-12);
+  EXPECT_EQ(withDriver("driver=\"cavelib\"").trackers.at(0).unit_m, 0.3048);
+  EXPECT_EQ(withDriver("driver=\"cavelib\" unit=\"304.8\"").trackers.at(0).unit_m, 0.3048);
+  EXPECT_EQ(findingWith(withDriver("driver=\"cavelib\" unit=\"dm\""), "none that a rig has").at.line, 27);
+  EXPECT_EQ(findingWith(withDriver("driver=\"cavelib\" Yup=\"off\""), "turns about z first").at.line, 27);
+  const Room natnet = withDriver("driver=\"NatNet\" server=\"10.0.0.7\"");
+  ASSERT_EQ(natnet.trackers.size(), 1u) << allFindings(natnet);
+  EXPECT_EQ(natnet.trackers[0].source, "udp://10.0.0.7?group=239.255.42.99");
+}
+
 TEST(CoverFile, NamesByLineWhatItLeavesOut) {
   const Room room = roomOf("room.xml", kCave);
   EXPECT_EQ(findingWith(room, "'SPARE' of computer 's1'").at.line, 9) << allFindings(room);

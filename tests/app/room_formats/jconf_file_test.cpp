@@ -83,6 +83,78 @@ TEST(JconfFile, HeadsFollowAliasProxyAndDevice) {
   EXPECT_FALSE(room.people[0].setup.hand);
 }
 
+/// The cave as a node of a cluster.
+std::string clustered(const std::string& more = "") {
+  std::string text = kCave;
+  const std::string system =
+      "<display_system name='p'><pipes>mammoth:0.0</pipes><pipes>mammoth:0.1</pipes></display_system>\n";
+  text = with(text, system, "");
+  text =
+      with(text, "<display_window name='L'>",
+           more +
+               "<cluster_node name='n1'><host_name>tusk</host_name><display_system><display_system name='q'>"
+               "<pipes>:0.2</pipes><pipes>:0.3</pipes></display_system></display_system><display_windows>"
+               "<display_window name='L'>");
+  return with(text, "</elements>", "</display_windows></cluster_node></elements>");
+}
+
+TEST(JconfFile, NodesOfAClusterHaveTheirOwnPipesAndWindows) {
+  const Room room = roomOf("room.jconf", clustered());
+  ASSERT_EQ(room.walls.size(), 1u) << allFindings(room);
+  EXPECT_EQ(room.nodes.at(0).host, "tusk");
+  EXPECT_EQ(room.nodes.at(0).display, ":0.3");
+  EXPECT_EQ(findingWith(room, "window 'Off' is left out").at.line, 14) << allFindings(room);
+  const Room empty = roomOf("room.jconf", clustered("<cluster_node name='n0'/>"));
+  EXPECT_EQ(findingWith(empty, "node 'n0' has no window").at.line, 9) << allFindings(empty);
+}
+
+TEST(JconfFile, SeveralDisplaySystemsAreChosenByName) {
+  const std::string two =
+      with(kCave, "<display_system name='p'>",
+           "<display_system name='o'><pipes>:0.0</pipes><pipes>ox:0.5</pipes></display_system>"
+           "<display_system name='p'>");
+  EXPECT_NE(refusalOf("room.jconf", two).find("--room with one of 'o', 'p'"), std::string::npos);
+  EXPECT_EQ(roomOf("room.jconf", two, "o").nodes.at(0).host, "ox");
+  EXPECT_EQ(roomOf("room.jconf", two, "p").nodes.at(0).host, "mammoth");
+}
+
+TEST(JconfFile, TheFirstVersionOfViewportsIsReadToo) {
+  std::string text = kCave;
+  const auto old = [](const std::string& x, const std::string& y, const std::string& z) {
+    return "<corners><vec3><x>" + x + "</x><y>" + y + "</y><z>" + z + "</z></vec3></corners>";
+  };
+  text = with(
+      text,
+      corner("lower_left_corner", "-2.0", "0.0", "2") + corner("lower_right_corner", "-2.0", "0.0", "-2") +
+          corner("upper_right_corner", "-2.0", "3", "-2") + corner("upper_left_corner", "-2.0", "3", "2"),
+      old("-2", "0", "2") + old("-2", "0", "-2") + old("-2", "3", "-2") + old("-2", "3", "2"));
+  const Room room = roomOf("room.jconf", with(text, "<view>Stereo</view>", "<view>2</view>"));
+  ASSERT_EQ(room.walls.size(), 1u) << allFindings(room);
+  expectCorners(room, "left", {-2, 0, 2}, {-2, 0, -2}, {-2, 3, 2});
+  EXPECT_EQ(room.walls[0].wall.stereo, StereoMode::right);
+}
+
+TEST(JconfFile, TrackedSurfacesAreLeftOut) {
+  const Room room =
+      roomOf("room.jconf", with(kCave, "<view>Stereo</view>", "<view>Stereo</view><tracked>true</tracked>"));
+  EXPECT_EQ(findingWith(room, "viewport 'left' is left out: its surface is tracked").at.line, 11)
+      << allFindings(room);
+}
+
+TEST(JconfFile, TrackdIsReadFromItsMemory) {
+  std::string text =
+      with(kCave, "<vrpn name='Art'><tracker_server>Art@host</tracker_server>", "<trackd_sensor name='Art'>");
+  text = with(text, "</vrpn>",
+              "</trackd_sensor><trackd_controller "
+              "name='W'><shared_memory_key>99</shared_memory_key></trackd_controller>");
+  const Room room = roomOf(
+      "room.jconf", with(text, "<device_units>1</device_units>", "<device_units>0.3048</device_units>"));
+  ASSERT_EQ(room.trackers.size(), 1u) << allFindings(room);
+  EXPECT_EQ(room.trackers[0].source, "shm://4126?wand=99");
+  EXPECT_EQ(room.trackers[0].unit_m, 0.3048);
+  EXPECT_TRUE(room.people[0].isTracked);
+}
+
 TEST(JconfFile, NamesWhatItLeavesOut) {
   const Room room = roomOf("room.jconf", kCave);
   EXPECT_EQ(findingWith(room, "device 'Flock' of kind 'flock'").at.line, 9) << allFindings(room);

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <variant>
 
 #include "app/program.h"
 #include "app/room_import/rig_room.h"
 #include "app/room_import/room_check.h"
+#include "cave/screen/curved_screen.h"
 
 namespace carom {
 namespace {
@@ -134,7 +137,47 @@ TEST(Import, RoomsOfEachProgramBecomeRigsThatPass) {
     EXPECT_EQ(checked.status, 0) << entry.path() << checked.err;
     ++count;
   }
-  EXPECT_GE(count, 10);
+  EXPECT_GE(count, 13);
+}
+
+TEST(Import, CurvedDisplaysAreScreensOfTheRig) {
+  const TemporaryFolder folder;
+  const std::string rig = folder / "round.toml";
+  // A floor 0.4 m below the origin, onto which all moves.
+  std::string text = contentOf(kOthers / "hevs_curved.json");
+  const auto put = [&](const std::string& before, const std::string& more) {
+    text.insert(text.find(before), more);
+  };
+  put("\"left\", \"right\"]", "\"floor\", ");
+  put("\"left\": {",
+      R"("floor": {"type": "offaxis", "ul": [-1, -0.4, 1], "ll": [-1, -0.4, -1], "lr": [1, -0.4, -1]}, )");
+  const auto made = runCarom(folder, {"import", folder.file("round.json", text), "-o", rig});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Rig read = readRig(rig);
+  ASSERT_EQ(read.walls.size(), 4u);
+  const auto& left = std::get<CylinderScreen>(read.walls[1].screen->shape);
+  EXPECT_NEAR(left.foot_m.y, 0.4, kWritten_m);
+  EXPECT_NEAR(glm::distance(placeOn_m(left, {1, 1}), {0, 3.3, -4.25}), 0.0, kWritten_m);
+  const auto& dome = std::get<DomeScreen>(read.walls[3].screen->shape);
+  EXPECT_NEAR(glm::distance(dome.centre_m, {0, 1.4, 0}), 0.0, kWritten_m);
+  // Its axis is 60° above the horizon, 30° to the right of ahead.
+  EXPECT_NEAR(glm::distance(dome.axis, {0.25, std::sqrt(0.75), -std::sqrt(0.1875)}), 0.0, kWritten_m);
+  EXPECT_NE(contentOf(rig).find("# - the file gives no height of the foot of the curved display 'left'"),
+            std::string::npos)
+      << contentOf(rig);
+}
+
+TEST(Import, SharedMemoryKeepsItsUnit) {
+  const TemporaryFolder folder;
+  const std::string rig = folder / "memory.toml";
+  const auto made = runCarom(folder, {"import", kOthers / "cluster.jconf", "-o", rig});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Rig read = readRig(rig);
+  ASSERT_EQ(read.trackers.size(), 1u);
+  EXPECT_EQ(read.trackers[0].source, "shm://4126?wand=4127");
+  EXPECT_EQ(read.trackers[0].unit_m, 0.3048);
+  EXPECT_NEAR(read.trackers[0].roomFromTracker.position_m.z, -1.0, kWritten_m);
+  EXPECT_EQ(read.viewers[0].hand->sensor, 1);
 }
 
 TEST(Import, KeepsTheUnitAxesHostsAndTrackersOfTheFile) {
