@@ -6,16 +6,15 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "app/files/rig_screen.h"
 #include "app/room_formats/part.h"
 #include "app/room_import/room.h"
-#include "cave/screen/screen_shape.h"
 
 namespace carom {
 

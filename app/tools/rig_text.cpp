@@ -208,9 +208,12 @@ std::string wallText(const Room& room, const Wall& wall) {
   return text;
 }
 
-glm::dvec3& placeOf_m(CylinderScreen& screen) { return screen.foot_m; }
-glm::dvec3& placeOf_m(DomeScreen& screen) { return screen.centre_m; }
-glm::dvec3& placeOf_m(SkyText& text) { return text.eyes.from_m ? *text.eyes.from_m : text.sky.middle_m; }
+void shift(CylinderScreen& screen, const glm::dvec3& by_m) { screen.foot_m += by_m; }
+void shift(DomeScreen& screen, const glm::dvec3& by_m) { screen.centre_m += by_m; }
+void shift(SkyText& text, const glm::dvec3& by_m) {
+  text.sky.middle_m += by_m;
+  if (text.eyes.from_m) *text.eyes.from_m += by_m;
+}
 
 void move(Wall& wall, const glm::dvec3& shift_m, const RoomAxes& axes) {
   wall.lowerLeft_m += shift_m;
@@ -218,7 +221,7 @@ void move(Wall& wall, const glm::dvec3& shift_m, const RoomAxes& axes) {
   wall.upperLeft_m += shift_m;
   auto shape = shapeOf(wall);
   if (!shape) return;
-  std::visit([&](auto& known) { placeOf_m(known) += shift_m; }, *shape);
+  std::visit([&](auto& known) { shift(known, shift_m); }, *shape);
   curve({.shape = *shape, .sagitta_m = sagittaFor_m(*shape)}, axes, wall);
 }
 
