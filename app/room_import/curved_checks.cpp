@@ -17,7 +17,7 @@ ScreenFacts factsFor(const RoomWall& wall, const Room& room) {
   return factsOf(*wall.wall.screen, wall.wall.pixels, room.viewerOf(wall.wall).eyes_m);
 }
 
-/// Returns what is known of a picture by direction.
+/// Describes a picture by direction: its place, pixels and flat pieces.
 std::string wordsForSky(const RoomWall& wall) {
   const CurvedScreen& screen = *wall.wall.screen;
   const auto& from_m = wall.wall.sky->from_m;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "app/operator/lesson.h"
@@ -116,26 +115,31 @@ void LiveSource::tell(std::span<const Command> commands, const OperatorSettings&
   announcements_.putInto(decision);
 }
 
-/// Plays the game on to the latest event that an eye sees, also one at a place of its own that a picture by
-/// direction is for. From time to time discards what nobody will see any more, not even in the best shot.
-void LiveSource::playGame(const OperatorSettings& settings, FrameState& frame) {
-  FrameRecord& record = frame.record;
-  seers_.clear();
-  for (const ViewerState& viewer : record.present()) {
-    if (settings.views.myNow) game_.playToNowOf(viewer.observer);
-    seers_.push_back(viewer.observer);
-  }
+/// Calls `take` with the view from each place of the room for which there is a picture by direction.
+void LiveSource::seeFromPlaces(const FrameRecord& record,
+                               const std::function<void(const ObserverView&)>& take) const {
   for (const Wall& wall : rig_.walls) {
     if (!wall.sky || !wall.sky->from_m) continue;
-    const ObserverView& viewer = record.viewers[wall.viewer].observer;
-    seers_.push_back(viewOf(*wall.sky, viewer, record.boardFromRoom, record.room_s));
+    take(viewOf(*wall.sky, record.viewers[wall.viewer].observer, record.boardFromRoom, record.room_s));
   }
-  double latest_s = -std::numeric_limits<double>::infinity();
-  for (const ObserverView& seer : seers_) latest_s = std::max(latest_s, latestObservation_s(seer));
+}
+
+/// Plays the game on to the latest event that an eye sees. From time to time discards the past that no eye
+/// will see any more, not even in the best shot.
+void LiveSource::playGame(const OperatorSettings& settings, FrameState& frame) {
+  FrameRecord& record = frame.record;
+  for (const ViewerState& viewer : record.present()) {
+    if (settings.views.myNow) game_.playToNowOf(viewer.observer);
+  }
+  double latest_s = latestObservation_s(record);
+  seeFromPlaces(record,
+                [&](const ObserverView& view) { latest_s = std::max(latest_s, latestObservation_s(view)); });
   game_.advance(latest_s, frame);
   if (record.number % kFramesBetweenForgetting != 0 || scenario_.lesson) return;
-  seers_.push_back(players_.earliest(record));
-  game_.forget(world_, seers_, frame);
+  std::vector<ObserverView> observers{players_.earliest(record)};
+  for (const ViewerState& viewer : record.present()) observers.push_back(viewer.observer);
+  seeFromPlaces(record, [&](const ObserverView& view) { observers.push_back(view); });
+  game_.forget(world_, observers, frame);
 }
 
 void LiveSource::finish(const FrameTimes& given, Decision& decision) {
