@@ -300,7 +300,9 @@ Room readCover(const std::filesystem::path& file, Part root, const std::string& 
   Included(file, "INCLUDE", room).expand(root);
   CoverSections sections(root, room);
   std::string master;
-  if (!sections.masters().empty()) {
+  if (sections.masters().empty()) {
+    refuseRoomName(wanted, file);
+  } else {
     std::vector<FilePlace> places;
     for (const std::string& each : sections.masters()) places.push_back(sections.placeOfMaster(each));
     master = sections.masters()[chooseRoom(sections.masters(), places, wanted, file)];

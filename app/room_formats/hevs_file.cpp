@@ -325,7 +325,7 @@ Room readHevs(const std::filesystem::path& file, const Part& root, const std::st
   HevsPlatform(whole, room).read();
   room.assumptions.push_back("the file is left-handed, x right, y up, z forward: it is turned to z back");
   room.assumptions.push_back("each node is drawn by an MPI rank, the master first if it has walls");
-  finishRoom("a display of type offaxis, curved or dome that a node shows", room);
+  finishRoom("a display of type offaxis, curved or dome that a node shows", room, chosen.at);
   return room;
 }
 

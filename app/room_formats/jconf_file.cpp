@@ -267,7 +267,10 @@ class JconfReading {
 /// Returns the wanted one of several display systems, each with pipes of its own; null if there is none.
 const Part* systemOf(const Part& elements, const std::string& wanted, const std::filesystem::path& file) {
   const std::vector<const Part*> systems = elements.all("display_system");
-  if (systems.empty()) return nullptr;
+  if (systems.empty()) {
+    refuseRoomName(wanted, file);
+    return nullptr;
+  }
   std::vector<std::string> names;
   std::vector<FilePlace> places;
   for (const Part* system : systems) {

@@ -82,5 +82,19 @@ TEST(RoomKind, CornersOfRealRoomsAreThoseOfAnIndependentReading) {
   }
 }
 
+TEST(RoomKind, ANameIsRefusedWhereThereIsOneRoom) {
+  const std::filesystem::path rooms = CAROM_TESTS_DIR "/fuzz/fuzz_rooms";
+  for (const char* name :
+       {"room.eqc", "sgct.xml", "room.ndisplay", "room.cfg", "blender.xml", "cover_memory.xml"}) {
+    try {
+      readForeignRoom(rooms / name, "Other");
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("expected no --room 'Other'"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
