@@ -111,7 +111,7 @@ class BlenderReading {
     for (const Part* plugins : root_.all("plugins")) readVrpn(*plugins);
     ranks_.finish();
     placePeople();
-    for (const BlenderScreen& screen : screens_) nameUnread(*screen.part, kQuiet, room_);
+    nameUnread(root_, kQuiet, room_);
   }
 
  private:

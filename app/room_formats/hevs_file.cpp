@@ -277,19 +277,20 @@ class HevsPlatform {
   }
 
   void nameUnused() {
-    for (const Part& part : platform_.parts) {
-      if (part.isRead && !alike(part.name, "displays")) nameUnread(part, kQuiet, room_);
-    }
     const Part* displays = platform_.find("displays");
     for (const Part& display : displays ? displays->parts : std::vector<Part>()) {
-      if (!display.isRead)
-        addWarning(room_, display.at,
-                   fmt::format("display '{}' is left out: no node shows it", printable(display.name)));
+      if (display.isRead) continue;
+      display.markRead();
+      addWarning(room_, display.at,
+                 fmt::format("display '{}' is left out: no node shows it", printable(display.name)));
     }
     for (const char* input : {"input", "tuio"}) {
-      if (const Part* found = platform_.find(input))
-        addWarning(room_, found->at, fmt::format("{} is left out: it has no place in a rig", input));
+      const Part* found = platform_.find(input);
+      if (!found) continue;
+      found->markRead();
+      addWarning(room_, found->at, fmt::format("{} is left out: it has no place in a rig", input));
     }
+    nameUnread(platform_, kQuiet, room_);
   }
 
   const Part& platform_;
