@@ -90,9 +90,13 @@ class EqcReading {
     for (const Part* compound : config_.all("compound")) readCompound(*compound, {}, 0);
     ranks_.finish();
     for (const auto& [name, channel] : channels_) {
-      if (!channel.isShown)
-        addWarning(room_, channel.part->at,
-                   fmt::format("channel '{}' is left out: no wall is shown on it", printable(name)));
+      if (channel.isShown) continue;
+      channel.part->markRead();
+      for (const Part* its : {channel.window, channel.pipe}) {
+        if (const Part* viewport = its->find("viewport")) viewport->markRead();
+      }
+      addWarning(room_, channel.part->at,
+                 fmt::format("channel '{}' is left out: no wall is shown on it", printable(name)));
     }
   }
 
@@ -235,7 +239,7 @@ class EqcReading {
   /// Returns the eyes of a list such as [ LEFT CYCLOP ].
   StereoMode stereoOf(const Part* eyes, const EqcChannel& channel) {
     bool left = false, right = false;
-    for (const Part& eye : eyes ? eyes->parts : std::vector<Part>()) {
+    for (const Part& eye : partsOf(eyes)) {
       eye.isRead = true;
       left = left || alike(eye.text, "LEFT");
       right = right || alike(eye.text, "RIGHT");

@@ -278,12 +278,12 @@ class HevsPlatform {
 
   void nameUnused() {
     const Part* displays = platform_.find("displays");
-    for (const Part& display : displays ? displays->parts : std::vector<Part>()) {
-      if (display.isRead) continue;
-      display.markRead();
-      addWarning(room_, display.at,
-                 fmt::format("display '{}' is left out: no node shows it", printable(display.name)));
+    for (const Part& display : partsOf(displays)) {
+      if (!display.isRead)
+        addWarning(room_, display.at,
+                   fmt::format("display '{}' is left out: no node shows it", printable(display.name)));
     }
+    if (displays) displays->markRead();  // those that are shown have been told of one by one
     for (const char* input : {"input", "tuio"}) {
       const Part* found = platform_.find(input);
       if (!found) continue;

@@ -85,12 +85,13 @@ class NdisplayReading {
     if (!scene) return addError(room_, config_.at, "scene is missing, expected the screens");
     for (const char* kind : {"xforms", "cameras", "screens"}) {
       const Part* group = scene->find(kind);
-      for (const Part& part : group ? group->parts : std::vector<Part>()) readComponent(part, kind);
+      for (const Part& part : partsOf(group)) readComponent(part, kind);
     }
     cameras_ = scene->find("cameras");
   }
 
   void readComponent(const Part& part, std::string_view kind) {
+    part.isRead = true;
     SceneNode node{.id = part.name, .parent = part.textOf("parentId")};
     node.at = part.at;
     node.parentAt = part.placeOf("parentId");
@@ -178,7 +179,7 @@ class NdisplayReading {
     addPerson("viewer", apart_m, kStandingEyes_m * room_.axes.up, at, "someone standing on the origin",
               room_);
     const std::string apart = camera ? camera->textOf("interpupillaryDistance") : "";
-    for (const Part& other : cameras_ ? cameras_->parts : std::vector<Part>()) {
+    for (const Part& other : partsOf(cameras_)) {
       const bool isUsed = std::any_of(views_.begin(), views_.end(),
                                       [&](const NdisplayView& view) { return view.camera == &other; });
       if (!isUsed) other.markRead();

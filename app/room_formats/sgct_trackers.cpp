@@ -91,7 +91,7 @@ void addSgctTrackers(const JsonNode& root, Room& room) {
     if (const Part* scale = tracker.find("scale"); scale && scale->text != "1")
       addWarning(room, scale->textAt, "the tracker's scale is left out: Carom takes its lengths as metres");
     const Part* devices = tracker.find("devices");
-    for (const Part& device : devices ? devices->parts : std::vector<Part>()) {
+    for (const Part& device : partsOf(devices)) {
       device.isRead = true;
       readDevice(tracker, device, user ? &*user : nullptr, room);
     }
