@@ -110,9 +110,12 @@ std::optional<glm::dquat> rotationOf(const glm::dmat3& matrix);
 std::optional<glm::dquat> turnOfAxes(const std::string& right, const std::string& up,
                                      const std::string& forward, FilePlace at, Room& room);
 
-/// Ends the reading: an error if there is no wall, its text telling what was expected; walls apart in their
-/// windows; a person if there is none.
-void finishRoom(std::string_view expected, Room& room);
+/// Ends the reading: an error at `at` if there is no wall, its text telling what was expected; walls apart in
+/// their windows; a person if there is none.
+void finishRoom(std::string_view expected, Room& room, FilePlace at = {});
+
+/// Throws InputErrors if one of several rooms is wanted of a file that has one.
+void refuseRoomName(const std::string& wanted, const std::filesystem::path& file);
 
 /// Returns the wanted of several rooms by their names. Throws InputErrors with all names if there are several
 /// and none is wanted, or none has the wanted name.
