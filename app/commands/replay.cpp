@@ -106,6 +106,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
   inputs.noWindow = inputs.simulated = options.noWindow;
   inputs.live = isVisit(options) && !options.observer;
   inputs.extra = options.extra;
+  inputs.sky = options.sky;
   if (!options.as.empty() || isVisit(options)) inputs.onlyFor = options.as;
   onAllRanks(cluster, [&] {
     if (cluster.rank() == 0) session = openSession(options, inputs);
@@ -185,6 +186,46 @@ void addVisitor(CLI::App& command, const std::shared_ptr<ReplayOptions>& options
       ->check(numberIn({-360.0, 360.0}, "an angle from -360 to 360 degrees"));
 }
 
+/// Adds the picture by direction that is shown in the place of the walls.
+void addSky(CLI::App& command, const std::shared_ptr<ReplayOptions>& options) {
+  const auto sky = [options]() -> SkyPicture& {
+    return options->sky ? *options->sky : options->sky.emplace();
+  };
+  CLI::Option* const kind =
+      command
+          .add_option_function<std::string>(
+              "--sky",
+              [sky](const std::string& name) {
+                const auto* const found = std::find(kSkyKinds.begin(), kSkyKinds.end(), name);
+                sky().kind = static_cast<SkyKind>(found - kSkyKinds.begin());
+              },
+              "Show one picture of all directions in the place of the walls, as planetariums and players of "
+              "360° movies want it")
+          ->type_name("KIND")
+          ->check(CLI::IsMember(std::vector<std::string>(kSkyKinds.begin(), kSkyKinds.end())));
+  command
+      .add_option_function<int>(
+          "--size", [sky](int size_px) { sky().size_px = size_px; },
+          "Pixels across a fisheye's circle, all longitudes, or a square of a cubemap; 2048 if left out")
+      ->type_name("N")
+      ->check(CLI::Range(64, 8192))
+      ->needs(kind);
+  command
+      .add_option_function<std::vector<double>>(
+          "--eye", [sky](const std::vector<double>& place_m) { sky().eye_m = toVec3(place_m); },
+          "Where in the room it is seen from, in metres; left out: from the recorded head")
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->check(numberIn({-1000.0, 1000.0}, "a number from -1000 to 1000"))
+      ->needs(kind);
+  command
+      .add_option("--stereo", "Two eyes that face the front, the left one's picture above the right one's")
+      ->type_name("MODE")
+      ->check(CLI::IsMember({"top-bottom"}))
+      ->each([sky](const std::string&) { sky().twoEyes = true; })
+      ->needs(kind);
+}
+
 }  // namespace
 
 int runReplay(const ReplayOptions& options) {
@@ -214,6 +255,7 @@ void addReplay(CLI::App& app, int& status) {
                    "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
       ->type_name("DIR");
   addMovie(*command, options->recording.movie);
+  addSky(*command, options);
   command->add_flag("--no-window", options->noWindow,
                     "Draw without showing, as fast as it goes; an X display is still needed");
   addSilent(*command, options->silent);
@@ -222,6 +264,7 @@ void addReplay(CLI::App& app, int& status) {
       "Examples:\n  carom replay game.db\n  carom replay game.db --observer walk --capture "
       "pictures --no-window\n  carom replay game.db --walk --beta 0.6 0 0\n"
       "  carom replay game.db --walk --from 0 1.6 -0.75 --facing -90   (from the other side of the table)\n"
+      "  carom replay game.db --sky equirectangular --size 4096 --movie around.mp4 --no-window\n"
       "Keys: Space pauses, arrows go back and on and change the speed, R runs backwards, H tells the "
       "others.");
   command->callback([options, &status] {

@@ -7,6 +7,7 @@
 
 #include "app/stage/desk_windows.h"
 #include "app/stage/recording.h"
+#include "app/stage/sky_rig.h"
 #include "engine/spacetime/event.h"
 
 namespace CLI {
@@ -26,6 +27,7 @@ struct ReplayOptions {
   std::optional<Vec3> from_m;                ///< initial position of that room's floor origin on the board
   std::optional<double> facing_rad;          ///< initial direction of its forward axis, anticlockwise from +x
   std::optional<double> at_s;                ///< session time at which to start; not with another viewer
+  std::optional<SkyPicture> sky;             ///< shown in the place of the walls
   RecordingOptions recording;                ///< images and movie
   bool noWindow = false;                     ///< without windows, frames go as fast as possible
   bool silent = false;                       ///< no sounds

@@ -26,6 +26,7 @@ Wall smallOf(const Wall& wall) {
   small.lowerRight_m = wall.lowerRight_m;
   small.upperLeft_m = wall.upperLeft_m;
   small.screen = wall.screen;
+  small.sky = wall.sky;
   const double scale = std::min(1.0, static_cast<double>(kCopyWidth_px) / wall.pixels.x);
   small.pixels = glm::max(glm::ivec2(glm::round(glm::dvec2(wall.pixels) * scale)), 1);
   return small;

@@ -1,6 +1,7 @@
 #include "app/file_keys/rig_keys.h"
 
 #include "app/file_keys/common_keys.h"
+#include "app/file_keys/screen_keys.h"
 #include "cave/room/wall.h"
 #include "devices/setup/tracker_factory.h"
 
@@ -10,28 +11,15 @@ namespace {
 using namespace declare;
 using Keys = std::vector<FileKey>;
 
-constexpr std::string_view kUnitOfRig = "the rig's unit";
 constexpr std::string_view kPlainName = "^[A-Za-z0-9_-]+$";
 constexpr int kMostPixels = 16384;  // largest texture size of common GPUs
 constexpr Range kPlace_px{.least = -65536.0, .most = 65536.0};
 constexpr Range kSize_px{.least = 1.0, .most = kMostPixels};
 constexpr Range kLatency_ms{.least = 0.0, .most = 1000.0};
 
-FileKey corner(std::string_view name, std::string_view sentence) {
-  return inUnit(kUnitOfRig, numbers(name, 3, {}, sentence));
-}
-
 FileKey pixels(std::string_view name, const Range& range, std::string_view sentence,
                std::initializer_list<double> fallback = {}) {
   return inUnit("pixels", wholes(name, 2, range, sentence, fallback));
-}
-
-FileKey pose(std::string_view name, std::string_view sentence) {
-  constexpr Range kTurn{.least = -360.0, .most = 360.0};
-  return table(
-      name, sentence,
-      {inUnit(kUnitOfRig, numbers("translation", 3, {}, "after the rotation", {0.0, 0.0, 0.0})),
-       numbers("rotation_deg", 3, kTurn, "about the fixed x, then y, then z axis", {0.0, 0.0, 0.0})});
 }
 
 FileKey window(std::string_view name, std::string_view sentence, bool border) {
@@ -229,41 +217,6 @@ Keys projectorKeys() {
              0.0)};
 }
 
-/// Returns the keys of a screen that is not flat.
-FileKey screen() {
-  constexpr Range kAngle{.least = -360.0, .most = 360.0};
-  constexpr Range kFov{.least = 0.0, .most = 359.0, .above = true};
-  const auto length = [](std::string_view name, const Range& range, std::string_view sentence) {
-    return inUnit(kUnitOfRig, number(name, range, sentence));
-  };
-  return table("screen", "a curved screen, in the place of corners, seen from inside",
-               {required(choice("shape", {"cylinder", "dome"},
-                                "part of a cylinder, or of a sphere, whose window is the circle "
-                                "of a fisheye with the front at its bottom")),
-                corner("foot", "of a cylinder: a point of its axis, from which heights are counted"),
-                numbers("axis", 3, {}, "of a cylinder: the direction of its axis, upwards"),
-                corner("centre", "of a dome"), length("radius", kPositive, "of the cylinder or dome"),
-                number("from_deg", kAngle,
-                       "of a cylinder: where its window's left edge is, about the axis from the room's "
-                       "forward direction, positive to the right"),
-                number("to_deg", kAngle, "of a cylinder: its window's right edge"),
-                length("bottom", {}, "of a cylinder: its window's lower edge, along the axis"),
-                length("top", {}, "of a cylinder: its window's upper edge"),
-                number("fov_deg", kFov, "of a dome: the angle across its window's circle", 180.0),
-                number("tilt_deg", kAngle, "of a dome: by how much its axis leans forward from upright", 0.0),
-                number("heading_deg", kAngle,
-                       "of a dome: where its front is, to the right of the room's forward direction", 0.0)});
-}
-
-FileKey panel() {
-  return table("panel",
-               "the board in the room that carries messages, lessons and choices; left out: the first flat "
-               "wall ahead, "
-               "or a chord of the curved screens' front 60 degrees",
-               {required(corner("lower_left", "a corner as seen from the front")),
-                required(corner("lower_right", "another")), required(corner("upper_left", "the third"))});
-}
-
 FileKey wall() {
   FileKey placed = window("window", "where it is shown; left out: in a window of its own size", false);
   placed.keys.push_back(table("viewport",
@@ -277,12 +230,6 @@ FileKey wall() {
       corner("lower_left", "corners as seen from inside the room"),
       corner("lower_right", "lower right"),
       corner("upper_left", "upper left"),
-      screen(),
-      number("texels_per_pixel", {.least = 1.0, .most = 4.0},
-             "of a curved screen: how finely the flat pieces are drawn of which its picture is made", 1.25),
-      inUnit(kUnitOfRig, number("facet_sagitta", kPositive,
-                                "of a curved screen: how deep the part of it may be that one flat piece "
-                                "shows; 0.1 m if left out")),
       corner("upper_right", "checked when given"),
       flag("skewed",
            "the four corners are no rectangle, as a projector throws them that stands askew: the picture is "
@@ -301,11 +248,15 @@ FileKey wall() {
                     "the eye in each channel of the stereo mode, such as [\"anna.left\", \"ben.left\"], or "
                     "middle for one picture for both eyes of a person; left out: left and right of the "
                     "viewer")))};
+  for (FileKey& key : screenKeys()) keys.push_back(std::move(key));
   for (FileKey& key : projectorKeys()) keys.push_back(std::move(key));
   FileKey walls = ofSize(1, kMostWalls, tables("wall", "a screen", std::move(keys)));
-  walls.rules = {{{.with = {"lower_left", "lower_right", "upper_left"}, .without = {"screen"}},
-                  {.with = {"screen"},
-                   .without = {"lower_left", "lower_right", "upper_left", "upper_right", "skewed"}}}};
+  walls.rules = {
+      {{.with = {"lower_left", "lower_right", "upper_left"}, .without = {"screen", "sky"}},
+       {.with = {"screen"},
+        .without = {"lower_left", "lower_right", "upper_left", "upper_right", "skewed", "sky"}},
+       {.with = {"sky"},
+        .without = {"lower_left", "lower_right", "upper_left", "upper_right", "skewed", "screen"}}}};
   return walls;
 }
 
@@ -347,7 +298,7 @@ const FileKey& rigKeys() {
          table("console", "where the operator's console is on node 0's display when --console opens it",
                {required(window("window", "its window", true))}),
          headset(), table("head", "the tracked head, of the one viewer of a room for one", withHead({})),
-         hand(), viewer(), tracker(), node(), wall(), panel()});
+         hand(), viewer(), tracker(), node(), wall(), panelKey()});
     const std::vector<std::string_view> ofRooms{"head", "hand", "viewer",     "tracker",
                                                 "wall", "node", "frame_lock", "panel"};
     rig.rules = {{{.with = {"tracker", "wall", "head"}, .without = {"viewer", "headset"}},

@@ -10,8 +10,10 @@ namespace carom {
 std::vector<Wall> standingWalls(const Rig& rig) {
   std::vector<Wall> walls;
   if (isHeadset(rig)) return walls;
-  for (const Wall& wall : rig.walls)
+  for (const Wall& wall : rig.walls) {
+    if (wall.sky) continue;
     for (Wall& flat : flatWallsOf(wall)) walls.push_back(std::move(flat));
+  }
   return walls;
 }
 
@@ -22,6 +24,7 @@ RoomGeometry roomGeometryOf(const Rig& rig) {
     room.walls = {*rig.board};
   else
     room.walls = standingWalls(rig);
+  if (room.walls.empty() && rig.panel) room.walls = {*rig.panel};  // of pictures by direction alone
   for (const ViewerSetup& viewer : rig.viewers)
     room.viewers.push_back({viewer.name, inverse(viewer.head.eyesFromSensor), viewer.hand.has_value()});
   return room;

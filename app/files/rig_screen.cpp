@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <numbers>
@@ -21,8 +22,9 @@ namespace carom {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kEyes_m = 1.7;   // above the floor, where the height of eyes is not known
-constexpr double kReach_m = 1.5;  // of somebody who walks
+constexpr double kEyes_m = 1.7;         // above the floor, where the height of eyes is not known
+constexpr double kReach_m = 1.5;        // of somebody who walks
+constexpr double kBoardBefore_m = 3.0;  // from the eyes, where no screen stands
 
 /// Returns places before a cylinder where eyes may be: about its axis.
 std::vector<glm::dvec3> eyesBefore(const CylinderScreen& screen, const RoomAxes& axes) {
@@ -64,17 +66,38 @@ CylinderScreen readCylinder(const TomlTable& table, const RoomAxes& axes, double
   return screen;
 }
 
+/// Unit vectors at a right angle: an axis that leans forward from upright, and the front to which it leans.
+struct Leaning {
+  glm::dvec3 axis, front;
+};
+
+Leaning readLeaning(const TomlTable& table, const RoomAxes& axes) {
+  const double tilt_rad = table.number("tilt_deg") * kDegree,
+               heading_rad = table.number("heading_deg") * kDegree;
+  const glm::dvec3 heading = std::cos(heading_rad) * axes.forward + std::sin(heading_rad) * axes.right;
+  return {std::cos(tilt_rad) * axes.up + std::sin(tilt_rad) * heading,
+          std::cos(tilt_rad) * heading - std::sin(tilt_rad) * axes.up};
+}
+
 DomeScreen readDome(const TomlTable& table, const RoomAxes& axes, double unit_m) {
   DomeScreen screen;
   screen.centre_m = toVec3(table.numbers<3>("centre")) * unit_m;
   screen.radius_m = table.number("radius") * unit_m;
   screen.fov_rad = table.number("fov_deg") * kDegree;
-  const double tilt_rad = table.number("tilt_deg") * kDegree,
-               heading_rad = table.number("heading_deg") * kDegree;
-  const glm::dvec3 heading = std::cos(heading_rad) * axes.forward + std::sin(heading_rad) * axes.right;
-  screen.axis = std::cos(tilt_rad) * axes.up + std::sin(tilt_rad) * heading;
-  screen.front = std::cos(tilt_rad) * heading - std::sin(tilt_rad) * axes.up;
+  const Leaning leaning = readLeaning(table, axes);
+  screen.axis = leaning.axis;
+  screen.front = leaning.front;
   return screen;
+}
+
+SkyText readSky(const TomlTable& table, const RoomAxes& axes, double unit_m) {
+  const Leaning leaning = readLeaning(table, axes);
+  SkyText text{{static_cast<SkyKind>(table.choice("kind")), table.number("fov_deg") * kDegree, leaning.axis,
+                leaning.front, kEyes_m * axes.up},
+               {{}, glm::cross(leaning.front, leaning.axis)}};
+  if (table.has("from")) text.sky.middle_m = toVec3(table.numbers<3>("from")) * unit_m;
+  if (table.has("from")) text.eyes.from_m = text.sky.middle_m;
+  return text;
 }
 
 /// Returns the place at the height of the eyes where a line from them meets a screen, `turn_rad` to the right
@@ -87,7 +110,8 @@ std::optional<glm::dvec3> onScreens_m(const Rig& rig, const glm::dvec3& eyes_m, 
       std::sin(rise_rad) * axes.up;
   for (const Wall& wall : rig.walls) {
     if (!wall.screen) continue;
-    if (const auto place = hit(wall.screen->mesh, eyes_m, along)) return place->inRoom_m;
+    const auto place = hit(wall.screen->mesh, eyes_m, along);
+    if (place) return wall.sky ? eyes_m + kBoardBefore_m * along : place->inRoom_m;
   }
   return std::nullopt;
 }
@@ -136,45 +160,72 @@ glm::dvec3 aheadOf(const glm::dvec3& axis, const RoomAxes& axes) {
   return glm::length(ahead) > 1e-3 ? glm::normalize(ahead) : axes.right;
 }
 
-double sagittaFor_m(const std::variant<CylinderScreen, DomeScreen>& shape) {
+double sagittaFor_m(const ScreenFormula& shape) {
   // As shares of the radius: a whole cylinder takes 57 pieces, half a sphere 36.
   constexpr double kOfCylinder = 0.0015, kOfDome = 0.06;
-  const auto* dome = std::get_if<DomeScreen>(&shape);
-  return std::max(kUsualSagitta_m,
-                  dome ? kOfDome * dome->radius_m : kOfCylinder * std::get<CylinderScreen>(shape).radius_m);
+  double least_m = 0.0;
+  if (const auto* cylinder = std::get_if<CylinderScreen>(&shape)) least_m = kOfCylinder * cylinder->radius_m;
+  if (const auto* dome = std::get_if<DomeScreen>(&shape)) least_m = kOfDome * dome->radius_m;
+  return std::max(kUsualSagitta_m, least_m);
 }
 
 std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes& axes, double unit_m) {
   const auto table = wallTable.table("screen");
-  if (!table) {
-    for (const char* key : {"texels_per_pixel", "facet_sagitta"})
-      wallTable.refuse(key, "is of a wall with a screen, expected none");
+  const auto sky = table ? std::nullopt : wallTable.table("sky");
+  const auto refuse = [&](std::initializer_list<const char*> keys, const char* why) {
+    for (const char* key : keys) wallTable.refuse(key, why);
+  };
+  if (!table) refuse({"facet_sagitta"}, "is of a wall with a screen, expected none");
+  if (!table && !sky) {
+    refuse({"texels_per_pixel"}, "is of a wall with a screen or a sky, expected none");
     return std::nullopt;
   }
-  for (const char* key : {"lower_left", "lower_right", "upper_left", "upper_right", "skewed", "warp",
-                          "warp_red", "warp_green", "warp_blue"})
-    wallTable.refuse(key, "is of a flat wall, expected none beside screen");
+  refuse({"lower_left", "lower_right", "upper_left", "upper_right", "skewed"},
+         "is of a flat wall, expected none beside screen or sky");
   ScreenText text;
+  text.texelsPerPixel = wallTable.number("texels_per_pixel");
+  if (!table) {
+    text.shape = readSky(*sky, axes, unit_m);
+    return text;
+  }
+  refuse({"warp", "warp_red", "warp_green", "warp_blue"}, "is of a flat wall, expected none beside screen");
+  refuse({"sky"}, "is of a wall without a screen, expected one of them");
   if (table->choice("shape") == 0) {
     text.shape = readCylinder(*table, axes, unit_m);
   } else {
     text.shape = readDome(*table, axes, unit_m);
   }
-  text.texelsPerPixel = wallTable.number("texels_per_pixel");
   if (wallTable.has("facet_sagitta")) text.sagitta_m = wallTable.number("facet_sagitta") * unit_m;
   return text;
 }
 
+namespace {
+
+template <class Shape>
+CurvedScreen screenOf(const Shape& shape, const ScreenText& text, const glm::ivec2& window_px,
+                      const RoomAxes& axes) {
+  const std::vector<glm::dvec3> eyes_m = eyesBefore(shape, axes);
+  CurvedScreen screen =
+      curvedScreen(meshOf(shape, window_px), {window_px, text.texelsPerPixel, text.sagitta_m, eyes_m});
+  screen.shape = shape;
+  return screen;
+}
+
+CurvedScreen screenOf(const SkyText& sky, const ScreenText& text, const glm::ivec2& window_px,
+                      const RoomAxes& /*axes*/) {
+  return screenOf(sky.sky, window_px, text.texelsPerPixel);
+}
+
+}  // namespace
+
 bool curve(const ScreenText& text, const RoomAxes& axes, Wall& wall) {
-  ScreenMesh mesh = std::visit([&](const auto& shape) { return meshOf(shape, wall.pixels); }, text.shape);
-  const std::vector<glm::dvec3> eyes_m =
-      std::visit([&](const auto& shape) { return eyesBefore(shape, axes); }, text.shape);
+  auto screen = std::make_shared<CurvedScreen>(
+      std::visit([&](const auto& shape) { return screenOf(shape, text, wall.pixels, axes); }, text.shape));
+  const ScreenMesh& mesh = screen->mesh;
   wall.lowerLeft_m = mesh.front()[0].inRoom_m;
   wall.lowerRight_m = mesh.back()[1].inRoom_m;
   wall.upperLeft_m = mesh[mesh.size() / 2][2].inRoom_m;
-  auto screen = std::make_shared<CurvedScreen>(
-      curvedScreen(std::move(mesh), {wall.pixels, text.texelsPerPixel, text.sagitta_m, eyes_m}));
-  std::visit([&](const auto& shape) { screen->shape = shape; }, text.shape);
+  if (const auto* sky = std::get_if<SkyText>(&text.shape)) wall.sky = sky->eyes;
   wall.screen = std::move(screen);
   return !wall.screen->pieces.empty();
 }

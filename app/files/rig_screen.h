@@ -1,33 +1,46 @@
 #pragma once
-// Reads the curved screens of a rig file, and the board that carries words where no flat wall does.
+// Reads the curved screens and the pictures by direction of a rig file, and the board that carries words
+// where no flat wall does.
 
 #include <optional>
 #include <variant>
 
 #include "app/files/rig.h"
 #include "app/files/toml_file.h"
+#include "cave/room/sky_eyes.h"
 #include "cave/screen/screen_shape.h"
+#include "cave/screen/sky_screen.h"
 
 namespace carom {
 
 inline constexpr double kUsualSagitta_m = 0.1;
 
-/// A curved screen as given in the file, before it is divided into flat pieces.
+/// A picture by direction, and whose eyes see it.
+struct SkyText {
+  Sky sky;
+  SkyEyes eyes;
+};
+
+using ScreenFormula = std::variant<CylinderScreen, DomeScreen, SkyText>;
+
+/// A curved screen or a picture by direction as given in the file, before it is divided into flat pieces.
 struct ScreenText {
-  std::variant<CylinderScreen, DomeScreen> shape;
+  ScreenFormula shape;
   double texelsPerPixel = 1.25;
   double sagitta_m = kUsualSagitta_m;
+
+  bool isSky() const { return std::holds_alternative<SkyText>(shape); }
 };
 
 /// Returns the least depth of flat pieces that a shape can be drawn on, and kUsualSagitta_m at least: for a
 /// rig that is made of another program's file.
-double sagittaFor_m(const std::variant<CylinderScreen, DomeScreen>& shape);
+double sagittaFor_m(const ScreenFormula& shape);
 
 /// Returns the direction from which a cylinder's angles count: forward at a right angle to its axis, or the
 /// room's right where the axis points forward.
 glm::dvec3 aheadOf(const glm::dvec3& axis, const RoomAxes& axes);
 
-/// Reads the `screen` of a wall, or none.
+/// Reads the `screen` or `sky` of a wall, or none.
 std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes& axes, double unit_m);
 
 /// Sets the screen of a wall, whose corners become three of the screen's places. Call it once the wall has

@@ -162,7 +162,7 @@ WallText readWall(const TomlFile& file, const TomlTable& table, const RoomAxes& 
   wall.window.size_px = wall.pixels;
   const auto window = hasOneWindow ? table.requiredTable("window") : table.table("window");
   if (window) readWallWindow(*window, hasOneWindow, wall);
-  if (text.screen)
+  if (text.screen && !text.screen->isSky())
     readLight(file, table, wall);
   else
     readProjector(file, table, wall);

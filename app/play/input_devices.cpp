@@ -90,7 +90,7 @@ InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double 
   hand.used_s = desk_.mouseAims ? mouseUsed_s_ : kNever_s;
   if (!hand.there) return hand;
   hand.eye = mouseWas_->eye;
-  hand.from_m = observer.of(hand.eye).positionInRoom_m;
+  hand.from_m = mouseWas_->from_m.value_or(observer.of(hand.eye).positionInRoom_m);
   hand.along = glm::normalize(mouseWas_->onWall_m - hand.from_m);
   mouseAt_m_ = onCloth(hand.from_m, hand.along, observer, axes_.up).value_or(mouseAt_m_);
   hand.at_m = mouseAt_m_;

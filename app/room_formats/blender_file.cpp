@@ -111,7 +111,7 @@ class BlenderReading {
     for (const Part* plugins : root_.all("plugins")) readVrpn(*plugins);
     ranks_.finish();
     placePeople();
-    for (const BlenderScreen& screen : screens_) nameUnread(*screen.part, kQuiet, room_);
+    nameUnread(root_, kQuiet, room_);
   }
 
  private:
@@ -378,7 +378,10 @@ std::set<std::string> screensOf(const Part& root, const std::string& wanted,
     }
   }
   std::set<std::string> screens;
-  if (configurations.empty()) return screens;
+  if (configurations.empty()) {
+    refuseRoomName(wanted, file);
+    return screens;
+  }
   std::istringstream list(configurations[chooseRoom(names, places, wanted, file)]->text);
   for (std::string name; std::getline(list, name, ',');) {
     const std::size_t begin = name.find_first_not_of(" \t\r\n");

@@ -23,7 +23,7 @@ glm::dvec3 xyzOf(const Part& element, Room& room) {
 Pose transformationOf(const Part& whole, Room& room) {
   Pose pose;
   const Part* transformation = whole.find("transformation");
-  for (const Part& step : transformation ? transformation->parts : std::vector<Part>()) {
+  for (const Part& step : partsOf(transformation)) {
     if (alike(step.name, "translate")) {
       step.isRead = true;
       pose = pose * Pose{xyzOf(step, room), {1.0, 0.0, 0.0, 0.0}};

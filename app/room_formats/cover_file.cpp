@@ -22,10 +22,13 @@ namespace {
 
 constexpr double kMillimetre_m = 1e-3;
 constexpr double kUsualWidth_mm = 2000.0, kUsualHeight_mm = 1500.0, kUsualRadius_mm = 2800.0;  // COVER's
-constexpr std::array<std::string_view, 19> kQuiet{
-    "comment",   "name",        "screen", "channel",    "window", "decoration", "ARCH",
-    "swapGroup", "swapBarrier", "type",   "value",      "enable", "separation", "resize",
-    "render",    "NumWindows",  "hosts",  "useDISPLAY", "Input"};
+constexpr std::array<std::string_view, 12> kQuiet{"comment",    "name",        "decoration", "ARCH",
+                                                  "swapGroup",  "swapBarrier", "type",       "resize",
+                                                  "NumWindows", "MultiPC",     "Input",      "enable"};
+
+/// The groups that say what a computer draws where; the others count for the master alone.
+constexpr std::array<const char*, 5> kDrawing{"ScreenConfig", "ChannelConfig", "ViewportConfig",
+                                              "WindowConfig", "PipeConfig"};
 
 /// A computer with what it sees of the file.
 struct CoverHost {
@@ -128,6 +131,7 @@ class CoverReading {
     });
     for (CoverHost& host : hosts_) readHost(host, slavesDraw);
     ranks_.finish();
+    nameUnread(hosts_.front().config, kQuiet, room_);
   }
 
  private:
@@ -189,6 +193,7 @@ class CoverReading {
       return screens;
     }
     for (std::size_t i = static_cast<std::size_t>(*most); tell && i < screens.size(); ++i) {
+      screens[i]->markRead();
       addWarning(room_, screens[i]->at,
                  fmt::format("screen '{}' of computer '{}' is left out: NumScreens is {}",
                              printable(screens[i]->textOf("comment")), printable(host.name), *most));
@@ -204,6 +209,9 @@ class CoverReading {
         addWarning(room_, screen->at,
                    fmt::format("screen '{}' of the master '{}' is left out: an operator's preview",
                                printable(screen->textOf("comment")), printable(host.name)));
+      }
+      for (const char* group : kDrawing) {
+        if (const Part* found = host.config.find(group)) found->markRead();
       }
       return;
     }
@@ -230,18 +238,24 @@ class CoverReading {
       }
       readScreen(host, *screens[index], {i, channel}, twins);
     }
-    for (const char* group :
-         {"ScreenConfig", "ChannelConfig", "ViewportConfig", "WindowConfig", "PipeConfig"}) {
-      const Part* found = host.config.find(group);
-      if (found && !screens.empty()) nameUnread(*found, kQuiet, room_);
-    }
     for (const char* group : {"PBOConfig", "BlendingTextureConfig"}) {
       const Part* found = host.config.find(group);
+      if (found) found->markRead();
       if (found && !found->parts.empty())
         addWarning(room_, found->at,
                    fmt::format("{} is left out: put the projector's warp and blend into the rig by "
                                "hand",
                                group));
+    }
+    if (screens.empty()) return;
+    for (const char* group : kDrawing) {
+      const Part* found = host.config.find(group);
+      if (!found) continue;
+      for (const Part& element : found->parts) {
+        // What old files say in both a channel and its viewport.
+        for (const char* twice : {"screen", "channel", "window", "windowIndex"}) element.find(twice);
+      }
+      nameUnread(*found, kQuiet, room_);
     }
   }
 
@@ -300,7 +314,9 @@ Room readCover(const std::filesystem::path& file, Part root, const std::string& 
   Included(file, "INCLUDE", room).expand(root);
   CoverSections sections(root, room);
   std::string master;
-  if (!sections.masters().empty()) {
+  if (sections.masters().empty()) {
+    refuseRoomName(wanted, file);
+  } else {
     std::vector<FilePlace> places;
     for (const std::string& each : sections.masters()) places.push_back(sections.placeOfMaster(each));
     master = sections.masters()[chooseRoom(sections.masters(), places, wanted, file)];

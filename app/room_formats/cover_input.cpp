@@ -18,10 +18,10 @@ namespace {
 
 constexpr double kMillimetre_m = 1e-3, kEyes_m = 0.064;  // COVER's default separation is 64 mm
 constexpr int kDtrackPort = 5000, kFirstFlystick = 100;
-constexpr std::array<std::string_view, 16> kQuiet{
-    "MouseNav",          "Buttons", "Valuator", "name",         "DebugButtons",  "DebugTracking",
-    "DebugStation",      "value",   "Joystick", "ButtonSystem", "ButtonAddress", "HeadOnly",
-    "InterpolationFile", "buttons", "MultiPC",  "default"};
+constexpr std::array<std::string_view, 14> kQuiet{
+    "MouseNav", "name",         "DebugButtons",  "DebugTracking", "DebugStation",      "value",
+    "Joystick", "ButtonSystem", "ButtonAddress", "HeadOnly",      "InterpolationFile", "buttons",
+    "MultiPC",  "default"};
 
 glm::dvec3 xyzOf(const Part& part, std::array<std::string_view, 3> names, Room& room) {
   return {numberOr(part, names[0], 0.0, room), numberOr(part, names[1], 0.0, room),
@@ -54,6 +54,13 @@ class CoverInput {
     } else if (const Part* system = input->find("TrackingSystem")) {
       readOld(*input, *system);
     }
+    for (const char* group : {"Buttons", "Valuator"}) {
+      const Part* found = input->find(group);
+      if (!found || found->parts.empty()) continue;
+      found->markRead();
+      addWarning(room_, found->at,
+                 fmt::format("{} is left out: buttons and axes come with the tracker of the hand", group));
+    }
     nameUnread(*input, kQuiet, room_);
   }
 
@@ -61,6 +68,9 @@ class CoverInput {
   void addViewer(const Part* person) {
     double apart_m = kEyes_m;
     FilePlace at = cover_.at;
+    if (const Part* stereo = cover_.find("Stereo"); stereo && !flagOr(*stereo, "value", true, room_))
+      addWarning(room_, stereo->placeOf("value"),
+                 "Stereo is off in the file: walls keep the modes of their channels");
     if (const Part* stereo = cover_.find("Stereo"); stereo && stereo->find("separation")) {
       const auto apart_mm = number(*stereo, "separation", kNotNegative, false, room_);
       apart_m = apart_mm ? *apart_mm * kMillimetre_m : apart_m;

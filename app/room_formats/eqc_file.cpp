@@ -83,15 +83,21 @@ class EqcReading {
       if (alike(part.name, "appNode") || alike(part.name, "node")) readNode(part);
     }
     readObserver();
+    for (const Part* layout : config_.all("layout")) {
+      for (const Part* view : layout->all("view")) view->find("observer");  // the first is the one
+    }
     for (const Part* canvas : config_.all("canvas")) readCanvas(*canvas);
     for (const Part* compound : config_.all("compound")) readCompound(*compound, {}, 0);
     ranks_.finish();
     for (const auto& [name, channel] : channels_) {
-      if (!channel.isShown)
-        addWarning(room_, channel.part->at,
-                   fmt::format("channel '{}' is left out: no wall is shown on it", printable(name)));
+      if (channel.isShown) continue;
+      channel.part->markRead();
+      for (const Part* its : {channel.window, channel.pipe}) {
+        if (const Part* viewport = its->find("viewport")) viewport->markRead();
+      }
+      addWarning(room_, channel.part->at,
+                 fmt::format("channel '{}' is left out: no wall is shown on it", printable(name)));
     }
-    nameUnread(config_, kQuiet, room_);
   }
 
  private:
@@ -233,7 +239,7 @@ class EqcReading {
   /// Returns the eyes of a list such as [ LEFT CYCLOP ].
   StereoMode stereoOf(const Part* eyes, const EqcChannel& channel) {
     bool left = false, right = false;
-    for (const Part& eye : eyes ? eyes->parts : std::vector<Part>()) {
+    for (const Part& eye : partsOf(eyes)) {
       eye.isRead = true;
       left = left || alike(eye.text, "LEFT");
       right = right || alike(eye.text, "RIGHT");
@@ -325,6 +331,7 @@ Room readEqc(const std::filesystem::path& file, const Part& root) {
   } else {
     EqcReading(*config, room).read();
   }
+  nameUnread(root, kQuiet, room);
   room.assumptions.push_back("lengths are metres, axes x right, y up, z back, as Equalizer has them");
   room.assumptions.push_back("each pipe with walls is drawn by an MPI rank, those of the appNode first");
   room.assumptions.push_back("walls whose window asks for no stereo are mono, but for those of one eye");

@@ -277,19 +277,20 @@ class HevsPlatform {
   }
 
   void nameUnused() {
-    for (const Part& part : platform_.parts) {
-      if (part.isRead && !alike(part.name, "displays")) nameUnread(part, kQuiet, room_);
-    }
     const Part* displays = platform_.find("displays");
-    for (const Part& display : displays ? displays->parts : std::vector<Part>()) {
+    for (const Part& display : partsOf(displays)) {
       if (!display.isRead)
         addWarning(room_, display.at,
                    fmt::format("display '{}' is left out: no node shows it", printable(display.name)));
     }
+    if (displays) displays->markRead();  // those that are shown have been told of one by one
     for (const char* input : {"input", "tuio"}) {
-      if (const Part* found = platform_.find(input))
-        addWarning(room_, found->at, fmt::format("{} is left out: it has no place in a rig", input));
+      const Part* found = platform_.find(input);
+      if (!found) continue;
+      found->markRead();
+      addWarning(room_, found->at, fmt::format("{} is left out: it has no place in a rig", input));
     }
+    nameUnread(platform_, kQuiet, room_);
   }
 
   const Part& platform_;
@@ -325,7 +326,7 @@ Room readHevs(const std::filesystem::path& file, const Part& root, const std::st
   HevsPlatform(whole, room).read();
   room.assumptions.push_back("the file is left-handed, x right, y up, z forward: it is turned to z back");
   room.assumptions.push_back("each node is drawn by an MPI rank, the master first if it has walls");
-  finishRoom("a display of type offaxis, curved or dome that a node shows", room);
+  finishRoom("a display of type offaxis, curved or dome that a node shows", room, chosen.at);
   return room;
 }
 

@@ -35,7 +35,7 @@ glm::dquat axesOf(const Part& tracker, Room& room) {
 
 void readHevsTrackers(const Part& platform, const std::string& headName, Room& room) {
   const Part* trackers = platform.find("trackers");
-  for (const Part& tracker : trackers ? trackers->parts : std::vector<Part>()) {
+  for (const Part& tracker : partsOf(trackers)) {
     tracker.isRead = true;
     const std::string& name = tracker.name;
     if (!alike(tracker.textOf("type"), "vrpn")) {

@@ -23,10 +23,22 @@ constexpr Range kSize_px{.least = 1.0, .most = kMostRoomPixels},
 constexpr std::array<std::string_view, 4> kCorners{"lower_left_corner", "lower_right_corner",
                                                    "upper_right_corner", "upper_left_corner"};
 using JconfCorners = std::array<std::optional<glm::dvec3>, 4>;
-constexpr std::array<std::string_view, 13> kQuiet{
-    "version",       "frame_buffer_config", "border",        "hide_mouse", "always_on_top",
-    "lock_key",      "allow_mouse_locking", "start_locked",  "sleep_time", "keyboard_mouse_device_name",
-    "tracker_proxy", "event_window_device", "use_swap_group"};
+constexpr std::array<std::string_view, 16> kQuiet{"name",
+                                                  "number_of_pipes",
+                                                  "listen_port",
+                                                  "version",
+                                                  "frame_buffer_config",
+                                                  "border",
+                                                  "hide_mouse",
+                                                  "always_on_top",
+                                                  "lock_key",
+                                                  "allow_mouse_locking",
+                                                  "start_locked",
+                                                  "sleep_time",
+                                                  "keyboard_mouse_device_name",
+                                                  "tracker_proxy",
+                                                  "event_window_device",
+                                                  "use_swap_group"};
 
 /// Returns two numbers, each in an element of its own.
 std::optional<glm::dvec2> pairOf(const Part& element, std::string_view name, const Range& range, bool whole,
@@ -90,7 +102,7 @@ class JconfReading {
           "windows' origins count from the lower left of their display, whose height the file does not say: "
           "they "
           "are taken as from its upper left");
-    for (const Part* window : windows) nameUnread(*window, kQuiet, room_);
+    nameUnread(elements_, kQuiet, room_);
   }
 
  private:
@@ -267,7 +279,10 @@ class JconfReading {
 /// Returns the wanted one of several display systems, each with pipes of its own; null if there is none.
 const Part* systemOf(const Part& elements, const std::string& wanted, const std::filesystem::path& file) {
   const std::vector<const Part*> systems = elements.all("display_system");
-  if (systems.empty()) return nullptr;
+  if (systems.empty()) {
+    refuseRoomName(wanted, file);
+    return nullptr;
+  }
   std::vector<std::string> names;
   std::vector<FilePlace> places;
   for (const Part* system : systems) {

@@ -120,6 +120,7 @@ class JconfInput {
                  fmt::format("there is no position_proxy '{}': it has no tracker", printable(name)));
       return {};
     }
+    used_.insert(proxy);
     const std::string device = proxy->textOf("device");
     const JconfFilter ofProxy = filterOf(*proxy, room_);
     const int unit =
@@ -196,18 +197,21 @@ class JconfInput {
     return addTrackd(device.textOf("name"), memory, roomFromTracker, device.at, room_);
   }
 
-  /// Names the proxies that nobody uses.
+  /// Names the proxies that nobody uses; their aliases are names alone.
   void nameOthers() {
-    for (const Part& element : elements_.parts) {
-      const bool isProxy = alike(element.name, "position_proxy");
-      if (!isProxy || element.isRead) continue;
-      element.markRead();
+    for (const Part* alias : elements_.all("alias")) alias->markRead();
+    for (const Part* proxy : elements_.all("position_proxy")) {
+      if (used_.contains(proxy)) continue;
+      proxy->markRead();
+      addWarning(room_, proxy->at,
+                 fmt::format("position_proxy '{}' is left out: it is neither a user's head nor the wand",
+                             printable(proxy->textOf("name"))));
     }
   }
 
   const Part& elements_;
   Room& room_;
-  std::set<const Part*> told_;
+  std::set<const Part*> told_, used_;
 };
 
 }  // namespace

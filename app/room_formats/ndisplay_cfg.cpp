@@ -192,8 +192,8 @@ class CfgReading {
     node.find("addr");
     node.find("viewport");
     if (!head_.empty() && scene_.hangsOn(screen, head_)) {
-      if (const auto viewport = viewports_.find(node.textOf("viewport")); viewport != viewports_.end())
-        viewport->second->markRead();
+      RoomWall preview;
+      placeViewport(node, preview);
       return addWarning(
           room_, node.placeOf("screen"),
           fmt::format("node '{}' is left out: its screen '{}' hangs on the head '{}', an operator's "

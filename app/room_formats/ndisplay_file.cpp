@@ -13,7 +13,12 @@ namespace carom {
 namespace {
 
 constexpr double kCentimetre_m = 0.01;
-constexpr std::array<std::string_view, 17> kQuiet{"bufferRatio",
+constexpr std::array<std::string_view, 22> kQuiet{"bufferRatio",
+                                                  "description",
+                                                  "version",
+                                                  "assetPath",
+                                                  "misc",
+                                                  "diagnostics",
                                                   "gPUIndex",
                                                   "allowCrossGPUTransfer",
                                                   "isShared",
@@ -64,7 +69,7 @@ class NdisplayReading {
     readEyes();
     for (const NdisplayView& view : views_) readView(view);
     ranks_.finish();
-    for (const Part& node : nodes->parts) nameUnread(node, kQuiet, room_);
+    nameUnread(config_, kQuiet, room_);
   }
 
  private:
@@ -80,12 +85,13 @@ class NdisplayReading {
     if (!scene) return addError(room_, config_.at, "scene is missing, expected the screens");
     for (const char* kind : {"xforms", "cameras", "screens"}) {
       const Part* group = scene->find(kind);
-      for (const Part& part : group ? group->parts : std::vector<Part>()) readComponent(part, kind);
+      for (const Part& part : partsOf(group)) readComponent(part, kind);
     }
     cameras_ = scene->find("cameras");
   }
 
   void readComponent(const Part& part, std::string_view kind) {
+    part.isRead = true;
     SceneNode node{.id = part.name, .parent = part.textOf("parentId")};
     node.at = part.at;
     node.parentAt = part.placeOf("parentId");
@@ -115,6 +121,7 @@ class NdisplayReading {
     node.isRead = true;
     const Part* viewports = node.find("viewports");
     if (!viewports || viewports->parts.empty()) {
+      node.markRead();
       return addWarning(room_, node.at,
                         fmt::format("node '{}' has no viewport: it draws nothing", printable(node.name)));
     }
@@ -171,6 +178,13 @@ class NdisplayReading {
     }
     addPerson("viewer", apart_m, kStandingEyes_m * room_.axes.up, at, "someone standing on the origin",
               room_);
+    const std::string apart = camera ? camera->textOf("interpupillaryDistance") : "";
+    for (const Part& other : partsOf(cameras_)) {
+      const bool isUsed = std::any_of(views_.begin(), views_.end(),
+                                      [&](const NdisplayView& view) { return view.camera == &other; });
+      if (!isUsed) other.markRead();
+      if (other.textOf("interpupillaryDistance") == apart) other.find("swapEyes");
+    }
     if (!head_.empty()) {
       addWarning(
           room_, at,
@@ -213,6 +227,9 @@ class NdisplayReading {
     const std::string& screen = view.screen->text;
     if (!head_.empty() && scene_.hangsOn(screen, head_)) {
       view.viewport->markRead();
+      for (const char* ofNode : {"host", "window", "fullScreen"}) {
+        if (const Part* part = view.node->find(ofNode)) part->markRead();
+      }
       return addWarning(
           room_, view.screen->textAt,
           fmt::format("viewport '{}' of node '{}' is left out: its screen '{}' hangs on the head "

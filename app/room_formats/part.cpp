@@ -25,6 +25,11 @@ std::string nameOf(const Part& part) { return part.name.empty() ? "this value" :
 
 }  // namespace
 
+const std::vector<Part>& partsOf(const Part* part) {
+  static const std::vector<Part> none;
+  return part ? part->parts : none;
+}
+
 bool alike(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](char x, char y) { return lower(x) == lower(y); });

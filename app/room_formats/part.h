@@ -38,6 +38,9 @@ struct Part {
   void markRead() const;
 };
 
+/// Returns the parts of a part, which may be null: then there are none.
+const std::vector<Part>& partsOf(const Part* part);
+
 /// Returns whether two words are equal but for their capitals (ASCII).
 bool alike(std::string_view a, std::string_view b);
 

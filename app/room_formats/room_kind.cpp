@@ -15,6 +15,7 @@
 #include "app/room_formats/jconf_file.h"
 #include "app/room_formats/ndisplay_file.h"
 #include "app/room_formats/part.h"
+#include "app/room_formats/room_parts.h"
 #include "app/room_formats/sgct_trackers.h"
 #include "app/room_formats/sgct_xml.h"
 #include "app/room_import/pvx_file.h"
@@ -65,7 +66,9 @@ bool isOneOf(const std::string& name, std::initializer_list<std::string_view> na
   return std::any_of(names.begin(), names.end(), [&](std::string_view known) { return alike(name, known); });
 }
 
-Room readSgctWithTrackers(const std::filesystem::path& file, const JsonNode& root) {
+Room readSgctWithTrackers(const std::filesystem::path& file, const JsonNode& root,
+                          const std::string& wanted) {
+  refuseRoomName(wanted, file);
   Room room = readSgct(file, root);
   addSgctTrackers(root, room);
   return room;
@@ -74,9 +77,12 @@ Room readSgctWithTrackers(const std::filesystem::path& file, const JsonNode& roo
 Room readXmlRoom(const std::filesystem::path& file, const std::string& wanted) {
   const XmlFile xml = readXml(file, Doctype::outside);
   const std::string& name = xml.root.name;
-  if (name == "pvx") return readPvx(file);
+  if (name == "pvx") {
+    refuseRoomName(wanted, file);
+    return readPvx(file);
+  }
   if (isOneOf(name, {"COCONFIG"})) return readCover(file, partOf(xml.root), wanted);
-  if (isOneOf(name, {"Cluster"})) return readSgctWithTrackers(file, sgctFromXml(partOf(xml.root)));
+  if (isOneOf(name, {"Cluster"})) return readSgctWithTrackers(file, sgctFromXml(partOf(xml.root)), wanted);
   if (isOneOf(name, {"blender_cave", "virtualEnvironment", "blendervr"}))
     return readBlender(file, partOf(xml.root), xml.leftOut, wanted);
   if (isOneOf(name, {"configuration"})) return readJconf(file, partOf(xml.root), wanted);
@@ -87,13 +93,16 @@ Room readXmlRoom(const std::filesystem::path& file, const std::string& wanted) {
 Room readJsonRoom(const std::filesystem::path& file, const std::string& wanted) {
   const JsonNode root = readJsonWithComments(file);
   if (root.member("platforms")) return readHevs(file, partOf(root), wanted);
-  if (root.member("nDisplay")) return readNdisplay(file, partOf(root));
+  if (root.member("nDisplay")) {
+    refuseRoomName(wanted, file);
+    return readNdisplay(file, partOf(root));
+  }
   const bool isSgct =
       root.kind != JsonNode::Kind::object ||
       std::any_of(root.children.begin(), root.children.end(), [](const JsonNode& member) {
         return isOneOf(member.key, {"nodes", "masteraddress", "users", "version", "trackers"});
       });
-  if (isSgct || root.children.empty()) return readSgctWithTrackers(file, readJson(file));
+  if (isSgct || root.children.empty()) return readSgctWithTrackers(file, readJson(file), wanted);
   refuse(file, root.at, "this object has neither 'nodes', 'nDisplay' nor 'platforms'");
 }
 
@@ -112,8 +121,10 @@ Room readForeignRoom(const std::filesystem::path& file, const std::string& room)
   const std::string text = readText(file, isJson ? InputKind::json : InputKind::xml);
   const auto syntax = syntaxOf(text);
   if (syntax == Syntax::xml && !isJson) return readXmlRoom(file, room);
-  if (file.extension() == ".pvx") return readPvx(file);
-  if (syntax == Syntax::json || isJson) return readJsonRoom(file, room);
+  const bool isPvx = file.extension() == ".pvx";
+  if (!isPvx && (syntax == Syntax::json || isJson)) return readJsonRoom(file, room);
+  refuseRoomName(room, file);
+  if (isPvx) return readPvx(file);
   if (syntax == Syntax::equalizer) return readEqc(file, readEqcParts(file));
   if (syntax == Syntax::cfg) return readNdisplayCfg(file, readCfgLines(file));
   refuse(file, {}, "this begins as no room of another program");

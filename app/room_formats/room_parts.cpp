@@ -157,7 +157,7 @@ bool addWall(RoomWall wall, const ReadCorners& corners, Room& room) {
   return true;
 }
 
-bool addCurvedWall(RoomWall wall, const std::variant<CylinderScreen, DomeScreen>& shape, Room& room) {
+bool addCurvedWall(RoomWall wall, const ScreenFormula& shape, Room& room) {
   if (!takesWall(wall, room)) return false;
   if (!takesCurved(wall, room)) {
     addError(room, wall.at.wall, "expected at most 16 curved walls, of at most 8192 pixels each way");
@@ -377,12 +377,19 @@ std::optional<glm::dquat> turnOfAxes(const std::string& right, const std::string
   return {};
 }
 
-void finishRoom(std::string_view expected, Room& room) {
+void finishRoom(std::string_view expected, Room& room, FilePlace at) {
   if (room.walls.empty() && !room.hasErrors())
-    addError(room, {}, fmt::format("there is no wall here, expected {}", expected));
+    addError(room, at, fmt::format("there is no wall here, expected {}", expected));
   separateOverlaps(room);
   if (!room.walls.empty() && room.people.size() > 1) dropUnseen(room);
   if (room.viewers.empty()) room.viewers.push_back({kStandingEyes_m * room.axes.up, {}, "a viewer"});
+}
+
+void refuseRoomName(const std::string& wanted, const std::filesystem::path& file) {
+  if (wanted.empty()) return;
+  throw InputErrors({InputError(
+      file.string(), 1, 1,
+      fmt::format("this file has one room without a name, expected no --room '{}'", printable(wanted)))});
 }
 
 std::size_t chooseRoom(const std::vector<std::string>& names, const std::vector<FilePlace>& places,

@@ -6,16 +6,15 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "app/files/rig_screen.h"
 #include "app/room_formats/part.h"
 #include "app/room_import/room.h"
-#include "cave/screen/screen_shape.h"
 
 namespace carom {
 
@@ -41,7 +40,7 @@ bool addWall(RoomWall wall, const ReadCorners& corners, Room& room);
 
 /// Adds a wall whose screen is curved, like addWall. Its pixels are set before. Adds an error instead if the
 /// screen takes too many flat pieces.
-bool addCurvedWall(RoomWall wall, const std::variant<CylinderScreen, DomeScreen>& shape, Room& room);
+bool addCurvedWall(RoomWall wall, const ScreenFormula& shape, Room& room);
 
 /// Gives the wall its part of a window, in pixels from the window's top left, and its pixels. A part that
 /// reaches out of the window is cut, with a warning. The whole window is no part.
@@ -111,9 +110,12 @@ std::optional<glm::dquat> rotationOf(const glm::dmat3& matrix);
 std::optional<glm::dquat> turnOfAxes(const std::string& right, const std::string& up,
                                      const std::string& forward, FilePlace at, Room& room);
 
-/// Ends the reading: an error if there is no wall, its text telling what was expected; walls apart in their
-/// windows; a person if there is none.
-void finishRoom(std::string_view expected, Room& room);
+/// Ends the reading: an error at `at` if there is no wall, its text telling what was expected; walls apart in
+/// their windows; a person if there is none.
+void finishRoom(std::string_view expected, Room& room, FilePlace at = {});
+
+/// Throws InputErrors if one of several rooms is wanted of a file that has one.
+void refuseRoomName(const std::string& wanted, const std::filesystem::path& file);
 
 /// Returns the wanted of several rooms by their names. Throws InputErrors with all names if there are several
 /// and none is wanted, or none has the wanted name.

@@ -50,12 +50,14 @@ void readDevice(const Part& tracker, const Part& device, const Part* user, Room&
   const Part* sensors = device.find("sensors");
   const Part* sensor = sensors && !sensors->parts.empty() ? &sensors->parts.front() : nullptr;
   if (!sensor || (!isHead && !isHand)) {
+    device.markRead();
     return addWarning(
         room, device.at,
         fmt::format("device '{}' of tracker '{}' is left out: it is neither the first user's head nor a "
                     "wand",
                     printable(name), printable(tracker.textOf("name"))));
   }
+  sensor->isRead = true;
   const int number = static_cast<int>(
       carom::number(*sensor, "identifier", {.least = 0.0, .most = 65535.0}, true, room).value_or(0.0));
   const auto index = addVrpn(tracker.textOf("name"), sensor->textOf("vrpnaddress"), sgctPose(tracker, room),
@@ -85,12 +87,16 @@ void addSgctTrackers(const JsonNode& root, Room& room) {
   room.people.push_back(std::move(person));
   const Part trackers = partOf(*list);
   for (const Part& tracker : trackers.parts) {
+    tracker.isRead = true;
     if (const Part* scale = tracker.find("scale"); scale && scale->text != "1")
       addWarning(room, scale->textAt, "the tracker's scale is left out: Carom takes its lengths as metres");
     const Part* devices = tracker.find("devices");
-    for (const Part& device : devices ? devices->parts : std::vector<Part>())
+    for (const Part& device : partsOf(devices)) {
+      device.isRead = true;
       readDevice(tracker, device, user ? &*user : nullptr, room);
+    }
   }
+  nameUnread(trackers, {}, room);
 }
 
 }  // namespace carom

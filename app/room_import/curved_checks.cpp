@@ -17,9 +17,25 @@ ScreenFacts factsFor(const RoomWall& wall, const Room& room) {
   return factsOf(*wall.wall.screen, wall.wall.pixels, room.viewerOf(wall.wall).eyes_m);
 }
 
+/// Describes a picture by direction: its place, pixels and flat pieces.
+std::string wordsForSky(const RoomWall& wall) {
+  const CurvedScreen& screen = *wall.wall.screen;
+  const auto& from_m = wall.wall.sky->from_m;
+  const std::string eyes =
+      from_m ? fmt::format("the place {:.2f}, {:.2f}, {:.2f} m of the room", from_m->x, from_m->y, from_m->z)
+             : "the tracked head";
+  const ScreenFacts facts = factsOf(screen, wall.wall.pixels, screen.eyesMiddle_m);
+  return fmt::format(
+      "{}: a picture by direction, as seen from {}\n"
+      "  {} × {} pixels an eye, drawn by rank {} on {} flat pieces with {:.2f} texels a pixel",
+      wall.wall.name, eyes, wall.wall.pixels.x, wall.wall.pixels.y, wall.wall.node, screen.pieces.size(),
+      facts.texelsPerPixel);
+}
+
 }  // namespace
 
 void judgeCurved(const RoomWall& wall, Verdict& verdict) {
+  if (wall.wall.sky) return;  // it stands nowhere
   constexpr double kMostIncidence_deg = 75.0, kMostVaried = 3.0, kMostSlide_px = 0.25, kLeastCovered = 0.9;
   const ScreenFacts facts = factsFor(wall, verdict.room);
   const Viewer& viewer = verdict.room.viewerOf(wall.wall);
@@ -63,6 +79,7 @@ void judgeCurved(const RoomWall& wall, Verdict& verdict) {
 }
 
 std::string wordsForCurved(const RoomWall& wall, const Room& room) {
+  if (wall.wall.sky) return wordsForSky(wall);
   const ScreenFacts facts = factsFor(wall, room);
   const CurvedScreen& screen = *wall.wall.screen;
   return fmt::format(

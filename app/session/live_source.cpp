@@ -115,20 +115,31 @@ void LiveSource::tell(std::span<const Command> commands, const OperatorSettings&
   announcements_.putInto(decision);
 }
 
-/// Plays the game on to the latest event that an eye sees. From time to time discards what no viewer will see
-/// any more, not even in the best shot.
+/// Calls `take` with the view from each place of the room for which there is a picture by direction.
+void LiveSource::seeFromPlaces(const FrameRecord& record,
+                               const std::function<void(const ObserverView&)>& take) const {
+  for (const Wall& wall : rig_.walls) {
+    if (!wall.sky || !wall.sky->from_m) continue;
+    take(viewOf(*wall.sky, record.viewers[wall.viewer].observer, record.boardFromRoom, record.room_s));
+  }
+}
+
+/// Plays the game on to the latest event that an eye sees. From time to time discards the past that no eye
+/// will see any more, not even in the best shot.
 void LiveSource::playGame(const OperatorSettings& settings, FrameState& frame) {
   FrameRecord& record = frame.record;
   for (const ViewerState& viewer : record.present()) {
     if (settings.views.myNow) game_.playToNowOf(viewer.observer);
   }
-  game_.advance(latestObservation_s(record), frame);
+  double latest_s = latestObservation_s(record);
+  seeFromPlaces(record,
+                [&](const ObserverView& view) { latest_s = std::max(latest_s, latestObservation_s(view)); });
+  game_.advance(latest_s, frame);
   if (record.number % kFramesBetweenForgetting != 0 || scenario_.lesson) return;
-  std::array<ObserverView, kMostViewers + 1> observers;
-  std::size_t count = 0;
-  for (const ViewerState& viewer : record.present()) observers[count++] = viewer.observer;
-  observers[count++] = players_.earliest(record);
-  game_.forget(world_, std::span(observers).first(count), frame);
+  std::vector<ObserverView> observers{players_.earliest(record)};
+  for (const ViewerState& viewer : record.present()) observers.push_back(viewer.observer);
+  seeFromPlaces(record, [&](const ObserverView& view) { observers.push_back(view); });
+  game_.forget(world_, observers, frame);
 }
 
 void LiveSource::finish(const FrameTimes& given, Decision& decision) {

@@ -4,6 +4,7 @@
 // and who is told what.
 
 #include <chrono>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -54,6 +55,7 @@ class LiveSource : public FrameSource {
             Decision& decision);
   void tell(std::span<const Command> commands, const OperatorSettings& settings, bool still,
             Decision& decision);
+  void seeFromPlaces(const FrameRecord& record, const std::function<void(const ObserverView&)>& take) const;
   void playGame(const OperatorSettings& settings, FrameState& frame);
   void finish(const FrameTimes& given, Decision& decision);
   void put(const ObserverViews& views, FrameRecord& record) const;

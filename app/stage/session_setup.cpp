@@ -135,6 +135,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   setup.rig = files.rig(options.rig);
   onAllRanks(cluster, [&] { setup.rig = rigWithout(std::move(setup.rig), options.withoutNodes); });
   if (options.onlyFor) setup.rig = rigFor(std::move(setup.rig), *options.onlyFor);
+  if (options.sky) onAllRanks(cluster, [&] { setup.rig = withSky(std::move(setup.rig), *options.sky); });
   if (options.byMouse) onAllRanks(cluster, [&] { putMouseInPlaceOfTrackers(setup.rig); });
   setup.scenario = files.scenario(options.scenario);
   limitDrive(setup);

@@ -12,6 +12,7 @@
 #include "app/stage/desk_windows.h"
 #include "app/stage/handover.h"
 #include "app/stage/recording.h"
+#include "app/stage/sky_rig.h"
 #include "cave/cluster/cluster.h"
 #include "cave/display/display_walls.h"
 #include "cave/headset/headset_pacer.h"
@@ -34,6 +35,7 @@ struct SetupOptions {
   std::vector<int> withoutNodes{};  ///< of the rig, which are left out with their walls
   glm::ivec2 eye_px{
       0};  ///< of a headset that is not there, in a replay: of its recorded pictures; 0: unknown
+  std::optional<SkyPicture> sky{};  ///< drawn in the place of the rig's walls
   bool byMouse = false;  ///< mouse and keys move heads and wands in the place of the rig's trackers
 };
 

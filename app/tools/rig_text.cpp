@@ -125,10 +125,11 @@ std::string nodesText(const Room& room) {
 }
 
 /// Returns the shape of a curved wall that has a formula.
-std::optional<std::variant<CylinderScreen, DomeScreen>> shapeOf(const Wall& wall) {
+std::optional<ScreenFormula> shapeOf(const Wall& wall) {
   if (!wall.screen) return {};
   if (const auto* cylinder = std::get_if<CylinderScreen>(&wall.screen->shape)) return *cylinder;
   if (const auto* dome = std::get_if<DomeScreen>(&wall.screen->shape)) return *dome;
+  if (const auto* sky = std::get_if<Sky>(&wall.screen->shape)) return SkyText{*sky, *wall.sky};
   return {};
 }
 
@@ -141,21 +142,34 @@ std::string shapeText(const Room& room, const CylinderScreen& screen) {
       lengthIn(room, screen.bottom_m), lengthIn(room, screen.top_m));
 }
 
-std::string shapeText(const Room& room, const DomeScreen& screen) {
-  const RoomAxes& axes = room.axes;
-  const double upright = glm::dot(screen.axis, axes.up), leaning = -glm::dot(screen.front, axes.up);
-  const glm::dvec3 heading = leaning * screen.axis + upright * screen.front;
+/// Returns by how much an axis leans from upright towards its front, and where that front is.
+std::string leaningText(const RoomAxes& axes, const glm::dvec3& axis, const glm::dvec3& front) {
+  const double upright = glm::dot(axis, axes.up), leaning = -glm::dot(front, axes.up);
+  const glm::dvec3 heading = leaning * axis + upright * front;
   return fmt::format(
-      "shape = \"dome\", centre = {}, radius = {}, fov_deg = {}, tilt_deg = {}, heading_deg = {}",
-      vectorIn(room, screen.centre_m), lengthIn(room, screen.radius_m), plain(glm::degrees(screen.fov_rad)),
-      plain(glm::degrees(std::atan2(leaning, upright))),
+      "tilt_deg = {}, heading_deg = {}", plain(glm::degrees(std::atan2(leaning, upright))),
       plain(glm::degrees(std::atan2(glm::dot(heading, axes.right), glm::dot(heading, axes.forward)))));
 }
 
+std::string shapeText(const Room& room, const DomeScreen& screen) {
+  return fmt::format("shape = \"dome\", centre = {}, radius = {}, fov_deg = {}, {}",
+                     vectorIn(room, screen.centre_m), lengthIn(room, screen.radius_m),
+                     plain(glm::degrees(screen.fov_rad)), leaningText(room.axes, screen.axis, screen.front));
+}
+
+std::string shapeText(const Room& room, const SkyText& text) {
+  const Sky& sky = text.sky;
+  const auto& from_m = text.eyes.from_m;
+  return fmt::format("kind = \"{}\", fov_deg = {}, {}{}", kSkyKinds[static_cast<std::size_t>(sky.kind)],
+                     plain(glm::degrees(sky.fov_rad)), leaningText(room.axes, sky.axis, sky.front),
+                     from_m ? fmt::format(", from = {}", vectorIn(room, *from_m)) : "");
+}
+
 /// Returns the screen of a wall that a reader has made of a formula.
-std::string screenText(const Room& room, const std::variant<CylinderScreen, DomeScreen>& shape) {
-  std::string text = fmt::format(
-      "screen = {{ {} }}\n", std::visit([&](const auto& known) { return shapeText(room, known); }, shape));
+std::string screenText(const Room& room, const ScreenFormula& shape) {
+  std::string text =
+      fmt::format("{} = {{ {} }}\n", std::holds_alternative<SkyText>(shape) ? "sky" : "screen",
+                  std::visit([&](const auto& known) { return shapeText(room, known); }, shape));
   if (const double sagitta_m = sagittaFor_m(shape); sagitta_m > kUsualSagitta_m)
     text += fmt::format("facet_sagitta = {}\n", lengthIn(room, sagitta_m));
   return text;
@@ -194,8 +208,12 @@ std::string wallText(const Room& room, const Wall& wall) {
   return text;
 }
 
-glm::dvec3& placeOf_m(CylinderScreen& screen) { return screen.foot_m; }
-glm::dvec3& placeOf_m(DomeScreen& screen) { return screen.centre_m; }
+void shift(CylinderScreen& screen, const glm::dvec3& by_m) { screen.foot_m += by_m; }
+void shift(DomeScreen& screen, const glm::dvec3& by_m) { screen.centre_m += by_m; }
+void shift(SkyText& text, const glm::dvec3& by_m) {
+  text.sky.middle_m += by_m;
+  if (text.eyes.from_m) *text.eyes.from_m += by_m;
+}
 
 void move(Wall& wall, const glm::dvec3& shift_m, const RoomAxes& axes) {
   wall.lowerLeft_m += shift_m;
@@ -203,7 +221,7 @@ void move(Wall& wall, const glm::dvec3& shift_m, const RoomAxes& axes) {
   wall.upperLeft_m += shift_m;
   auto shape = shapeOf(wall);
   if (!shape) return;
-  std::visit([&](auto& known) { placeOf_m(known) += shift_m; }, *shape);
+  std::visit([&](auto& known) { shift(known, shift_m); }, *shape);
   curve({.shape = *shape, .sagitta_m = sagittaFor_m(*shape)}, axes, wall);
 }
 

@@ -16,15 +16,17 @@
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "cave/gl/gl_state_guard.h"
+#include "cave/screen/curved_screen.h"
 
 extern char** environ;
 
 namespace carom {
 namespace {
 
-constexpr glm::ivec2 kLargest_px{3840, 2160};
+constexpr glm::ivec2 kLargest_px{3840, 2160}, kLargestSky_px{8192, 8192};
 constexpr std::size_t kMostWaiting = 16;  // frames waiting for the encoder
 constexpr double kLongestStay_s = 1.0;    // longest time that a frame is shown
 
@@ -35,8 +37,7 @@ struct Kind {
 };
 const std::array<Kind, 3>& kinds() {
   static const std::array<Kind, 3> all{
-      {{".mp4",
-        {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-movflags", "+faststart", "-f", "mp4"}},
+      {{".mp4", {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-f", "mp4"}},
        {".webm", {"-c:v", "libvpx", "-b:v", "12M", "-deadline", "realtime", "-cpu-used", "8", "-f", "webm"}},
        {".ogv", {"-c:v", "libtheora", "-q:v", "9", "-f", "ogg"}}}};
   return all;
@@ -88,6 +89,21 @@ std::vector<Place> placesInARow(std::span<const Wall> walls) {
   return places;
 }
 
+/// Returns whether a wall's picture is one of all directions, by longitude and latitude.
+bool isSpherical(const Wall& wall) {
+  const Sky* sky = wall.screen ? std::get_if<Sky>(&wall.screen->shape) : nullptr;
+  return sky && sky->kind == SkyKind::equirectangular;
+}
+
+/// Returns what the walls are together: one such picture, or those of a left and a right eye.
+Spherical sphericalOf(std::span<const Wall> walls, bool inOneWindow) {
+  if (walls.empty() || !std::all_of(walls.begin(), walls.end(), isSpherical)) return Spherical::none;
+  if (walls.size() == 1) return Spherical::mono;
+  const bool areTwoEyes =
+      walls.size() == 2 && walls[0].stereo == StereoMode::left && walls[1].stereo == StereoMode::right;
+  return areTwoEyes && inOneWindow ? Spherical::topBottom : Spherical::none;
+}
+
 }  // namespace
 
 bool isMovieName(const std::filesystem::path& file) { return kindOf(file) != nullptr; }
@@ -102,7 +118,8 @@ MovieLayout movieLayout(std::span<const Wall> walls, bool inOneWindow) {
   const std::vector<Place> places = inOneWindow ? placesInOneWindow(walls) : placesInARow(walls);
   glm::dvec2 all(0.0);
   for (const Place& place : places) all = glm::max(all, place.position + place.size);
-  const glm::dvec2 fit = glm::dvec2(kLargest_px) / all;
+  const bool isSky = std::any_of(walls.begin(), walls.end(), [](const Wall& wall) { return wall.sky; });
+  const glm::dvec2 fit = glm::dvec2(isSky ? kLargestSky_px : kLargest_px) / all;
   const double scale = std::min({1.0, fit.x, fit.y});
   MovieLayout layout;
   for (const Place& place : places) {
@@ -112,13 +129,15 @@ MovieLayout movieLayout(std::span<const Wall> walls, bool inOneWindow) {
     layout.size_px = glm::max(layout.size_px, from + layout.places.back().size_px);
   }
   layout.size_px += layout.size_px % 2;
+  layout.spherical = sphericalOf(walls, inOneWindow);
   return layout;
 }
 
 /// The ffmpeg process and the pipe into it.
 class Movie::Encoder {
  public:
-  Encoder(const std::filesystem::path& file, const glm::ivec2& size_px, double frames_hz) : file_(file) {
+  Encoder(const std::filesystem::path& file, const MovieLayout& layout, double frames_hz)
+      : file_(file), spherical_(file.extension() == ".mp4" ? layout.spherical : Spherical::none) {
     std::error_code notThere;
     if (std::filesystem::is_directory(file, notThere)) fail("it is a folder, expected the name of a file");
     partial_ = file;
@@ -127,7 +146,7 @@ class Movie::Encoder {
     if (made < 0) fail(std::strerror(errno));
     close(made);
     try {
-      start(size_px, frames_hz);
+      start(layout.size_px, frames_hz);
     } catch (...) {
       unlink(partial_.c_str());
       throw;
@@ -156,6 +175,7 @@ class Movie::Encoder {
     pipe_ = -1;
     const int status = wait();
     if (status != 0) fail(fmt::format("ffmpeg ended with status {}", status));
+    markSpherical(partial_, spherical_);
     std::error_code failed;
     std::filesystem::rename(partial_, file_, failed);
     kept_ = true;
@@ -192,6 +212,10 @@ class Movie::Encoder {
                                    "yuv420p"};
     const std::vector<std::string>& kind = kindOf(file_)->arguments;
     words.insert(words.end(), kind.begin(), kind.end());
+    // A file with its index in front can be watched while it is loaded; what marks a movie of all directions
+    // wants it at the end.
+    if (spherical_ == Spherical::none && file_.extension() == ".mp4")
+      words.insert(words.end(), {"-movflags", "+faststart"});
     words.push_back("file:" + partial_.string());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -251,6 +275,7 @@ class Movie::Encoder {
   }
 
   std::filesystem::path file_, partial_;
+  Spherical spherical_;
   pid_t child_ = -1;
   int pipe_ = -1;
   bool held_ = false;
@@ -265,7 +290,7 @@ Movie::Movie(std::filesystem::path file, MovieLayout layout, double frames_hz, W
       frames_hz_(frames_hz),
       whenFull_(whenFull),
       picture_(layout_.size_px),
-      encoder_(std::make_unique<Encoder>(file_, layout_.size_px, frames_hz)),
+      encoder_(std::make_unique<Encoder>(file_, layout_, frames_hz)),
       queue_(std::make_unique<WorkQueue<Job>>(kMostWaiting, 1, [this](Job& job) { encoder_->add(job); })) {}
 
 Movie::~Movie() {

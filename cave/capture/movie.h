@@ -16,6 +16,7 @@
 #include <glm/vec2.hpp>
 
 #include "cave/capture/capture.h"
+#include "cave/capture/spherical_movie.h"
 #include "cave/capture/work_queue.h"
 #include "cave/gl/picture.h"
 #include "cave/gl/picture_reader.h"
@@ -36,11 +37,12 @@ std::filesystem::path movieOfNode(const std::filesystem::path& file, int rank, i
 struct MovieLayout {
   glm::ivec2 size_px{0};  ///< even numbers, as encoders require
   std::vector<Viewport> places;
+  Spherical spherical = Spherical::none;  ///< players look for it in a file that ends in .mp4
 };
 
 /// Returns the layout for one eye's picture of each wall, in full size if the movie is then at most 3840 ×
-/// 2160, otherwise reduced. The walls stand in a row; with `inOneWindow`, where a wall's `window` is its
-/// place among the others, they lie as in that window.
+/// 2160, of pictures by direction 8192 × 8192, otherwise reduced. The walls stand in a row; with
+/// `inOneWindow`, where a wall's `window` is its place among the others, they lie as in that window.
 MovieLayout movieLayout(std::span<const Wall> walls, bool inOneWindow);
 
 /// Use it with the drawing context current.

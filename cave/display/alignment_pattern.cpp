@@ -3,10 +3,12 @@
 #include <cmath>
 
 #include <vtk_glew.h>
+#include <glm/common.hpp>
 
 #include "cave/gl/gl_program.h"
 #include "cave/gl/gl_state_guard.h"
 #include "cave/screen/curved_screen.h"
+#include "cave/screen/sky_screen.h"
 #include "shaders/seam_frag.h"
 #include "shaders/seam_vert.h"
 
@@ -18,8 +20,13 @@ namespace {
 std::vector<SeamCorner> cornersOf(const Wall& wall) {
   std::vector<SeamCorner> corners;
   if (wall.screen) {
+    // Directions are shown as places that many metres from the middle.
+    constexpr double kAway_m = 3.0;
+    const glm::dvec3& middle_m = wall.screen->eyesMiddle_m;
+    const double share = wall.sky ? kAway_m / kSky_m : 1.0;
     for (const ScreenTriangle& triangle : wall.screen->mesh) {
-      for (const ScreenPoint& point : triangle) corners.push_back({point.inWindow, point.inRoom_m});
+      for (const ScreenPoint& point : triangle)
+        corners.push_back({point.inWindow, glm::mix(middle_m, point.inRoom_m, share)});
     }
     return corners;
   }

@@ -30,6 +30,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 struct InLines {
   const CylinderScreen* cylinder = nullptr;
   const DomeScreen* dome = nullptr;
+  const Sky* sky = nullptr;
 
   glm::dvec3 operator()(const glm::dvec3& place_m) const {
     constexpr double kLine_m = 0.1, kPlane_m = 0.5, kLine_rad = 10.0 * kDegree;
@@ -39,18 +40,23 @@ struct InLines {
       const double angle_rad = std::atan2(glm::dot(from_m, right), glm::dot(from_m, cylinder->ahead));
       return {angle_rad * cylinder->radius_m / kLine_m, glm::dot(from_m, cylinder->axis) / kLine_m, 0.5};
     }
-    if (dome) {
-      const glm::dvec3 from_m = place_m - dome->centre_m, right = glm::cross(dome->front, dome->axis);
-      const double up = glm::dot(from_m, dome->axis) / glm::length(from_m);
-      return {std::atan2(glm::dot(from_m, right), glm::dot(from_m, dome->front)) / kLine_rad,
-              std::acos(std::clamp(up, -1.0, 1.0)) / kLine_rad, 0.5};
-    }
+    if (dome) return inMeridians(place_m - dome->centre_m, dome->axis, dome->front, kLine_rad);
+    if (sky) return inMeridians(place_m - sky->middle_m, sky->axis, sky->front, kLine_rad);
     return place_m / kPlane_m;
+  }
+
+ private:
+  static glm::dvec3 inMeridians(const glm::dvec3& from_m, const glm::dvec3& axis, const glm::dvec3& front,
+                                double line_rad) {
+    const double up = glm::dot(from_m, axis) / glm::length(from_m);
+    return {std::atan2(glm::dot(from_m, glm::cross(front, axis)), glm::dot(from_m, front)) / line_rad,
+            std::acos(std::clamp(up, -1.0, 1.0)) / line_rad, 0.5};
   }
 };
 
 InLines linesOf(const CurvedScreen& screen) {
-  return {std::get_if<CylinderScreen>(&screen.shape), std::get_if<DomeScreen>(&screen.shape)};
+  return {std::get_if<CylinderScreen>(&screen.shape), std::get_if<DomeScreen>(&screen.shape),
+          std::get_if<Sky>(&screen.shape)};
 }
 
 /// The number of lines at each pixel's centre; NaN where the window shows no screen.
@@ -191,7 +197,7 @@ Image screenPattern(const Wall& wall, Eye eye, Image crosses) {
   canvas.write(nameOf(eye), 0.12 * unit_px, {0.5, 0.57}, 0.5);
   canvas.write(fmt::format(texts::pattern::kWall, wall.node, wall.pixels.x, wall.pixels.y), 0.04 * unit_px,
                {0.5, 0.4}, 0.5);
-  writeRim(canvas, *wall.screen, unit_px);
+  if (!wall.sky) writeRim(canvas, *wall.screen, unit_px);  // its directions are no places
   return canvas.take();
 }
 

@@ -18,12 +18,8 @@ void WallOverlays::draw(const SeenFrame& seen, const WallPictures& pictures) {
     drawFront(
         {room, board_->place(), true, seen.self.observer.middle.positionInRoom_m, seen, board_->wiped()});
   for (const WallPictures::FlatEye& flat : pictures.flatEyes()) {
-    const Over over{room,
-                    *flat.wall,
-                    front_ && standSame(*front_, *flat.wall),
-                    seen.self.observer.of(flat.eye.eye).positionInRoom_m,
-                    seen,
-                    *flat.picture};
+    const Over over{room, *flat.wall,   front_ && standSame(*front_, *flat.wall), flat.eyeInRoom_m,
+                    seen, *flat.picture};
     for (const auto overlay : kOverlays) (this->*overlay)(over);
   }
 }

@@ -56,15 +56,31 @@ void WallPictures::drawSession(const SeenFrame& seen, const World& world) {
   calibrationPatterns_.reset();
   split_ = seen.record.views.split != 0;
   flatEyes_.clear();
-  for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {
-    pictured_.clear();
-    for (WallEye& wallEye : eyes_) {
-      if (wallEye.eye == ViewerEye{seen.viewer, eye}) addPictured(wallEye, seen.record.controls.latency != 0);
-    }
-    for (const PicturedWall& drawn : pictured_)
-      flatEyes_.push_back({drawn.wall, {seen.viewer, eye}, drawn.picture});
-    session_->draw(seen.record, world, seen.self.observer, seen.self.observer.of(eye), pictured_);
+  for (const Eye eye : {Eye::left, Eye::right, Eye::middle})
+    drawFrom(seen, world, seen.self.observer, eye, nullptr);
+  for (const Wall& wall : walls_) {
+    if (!wall.sky) continue;
+    const ObserverView observer =
+        viewOf(*wall.sky, seen.self.observer, seen.record.boardFromRoom, seen.record.room_s);
+    for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) drawFrom(seen, world, observer, eye, &wall);
   }
+}
+
+/// Draws what one eye of an observer sees on all walls, or on that wall alone whose picture is by direction.
+void WallPictures::drawFrom(const SeenFrame& seen, const World& world, const ObserverView& observer, Eye eye,
+                            const Wall* sky) {
+  // The viewer's own view has been swapped already, if an operator wants it so.
+  const EyeView& sees = observer.of(sky && seen.record.controls.eyesSwapped ? otherOf(eye) : eye);
+  pictured_.clear();
+  for (WallEye& wallEye : eyes_) {
+    const Wall& wall = walls_[wallEye.wall];
+    if (wallEye.eye != ViewerEye{seen.viewer, eye} || (wall.sky ? &wall : nullptr) != sky) continue;
+    wallEye.eyeInRoom_m = sees.positionInRoom_m;
+    addPictured(wallEye, seen.record.controls.latency != 0);
+  }
+  for (const PicturedWall& drawn : pictured_)
+    flatEyes_.push_back({drawn.wall, {seen.viewer, eye}, drawn.picture, sees.positionInRoom_m});
+  session_->draw(seen.record, world, observer, sees, pictured_);
 }
 
 /// Adds the flat walls of an eye of a wall to those that are drawn next.
@@ -86,7 +102,7 @@ void WallPictures::drawScreens(const SeenFrame& seen) {
   for (WallEye& wallEye : eyes_) {
     if (!wallEye.screen || wallEye.eye.viewer != seen.viewer) continue;
     RenderTarget& picture = wallEye.pictures.next();
-    wallEye.screen->draw(seen.self.observer.of(wallEye.eye.eye).positionInRoom_m, wallEye.pieces, picture);
+    wallEye.screen->draw(wallEye.eyeInRoom_m, wallEye.pieces, picture);
     if (split_) drawSplitLine(picture);
   }
 }

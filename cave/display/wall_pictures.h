@@ -36,12 +36,14 @@ class WallPictures {
     /// Of a curved screen: the pictures of its pieces, and what makes the wall's picture of them.
     std::vector<std::unique_ptr<RenderTarget>> pieces;
     std::unique_ptr<ScreenPicture> screen;
+    glm::dvec3 eyeInRoom_m{0.0};  ///< for which they were drawn
   };
   /// A flat wall for one eye, as it is drawn: a wall, or a piece of a curved one.
   struct FlatEye {
     const Wall* wall = nullptr;
     ViewerEye eye;
     const RenderTarget* picture = nullptr;  ///< the newest
+    glm::dvec3 eyeInRoom_m{0.0};            ///< for which it was drawn
   };
 
   WallPictures(Graphics& graphics, const Scene& scene, double lightSpeed_m_s, std::vector<Wall> walls);
@@ -83,6 +85,8 @@ class WallPictures {
 
  private:
   void addPieces(WallEye& wallEye);
+  void drawFrom(const SeenFrame& seen, const World& world, const ObserverView& observer, Eye eye,
+                const Wall* sky);
   void addPictured(WallEye& wallEye, bool measured);
   Image crossesOf(WallEye& wallEye);
 

@@ -17,6 +17,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/room/skewed_screen.h"
+#include "cave/room/sky_eyes.h"
 #include "engine/spacetime/observer.h"
 
 namespace carom {
@@ -100,6 +101,9 @@ struct Wall {
   /// The screen's own corners; none: they are those of the rectangle.
   std::optional<SkewedScreen> skewed;
   std::shared_ptr<const CurvedScreen> screen;  ///< it is curved; its corners are not set; null: flat
+  /// Its picture is by direction, and `screen` is very far away (cave/screen/sky_screen.h); none: it is a
+  /// wall of the room.
+  std::optional<SkyEyes> sky;
   int piece =
       0;  ///< of the flat walls on which a curved screen is drawn, counted from 1; 0: it is none of them
   std::filesystem::path warp;  ///< mesh that warps the picture to the screen (.pfm, .obj); empty: none

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace carom {
@@ -82,6 +83,7 @@ double slideOf_px(const ScreenMesh& mesh, const glm::ivec2& window_px, std::span
 CurvedScreen curvedScreen(ScreenMesh mesh, const PieceWishes& wishes) {
   CurvedScreen screen;
   screen.mesh = std::move(mesh);
+  screen.window_px = wishes.window_px;
   screen.pieces = flatPieces(screen.mesh, wishes);
   for (const glm::dvec3& eye_m : wishes.eyes_m)
     screen.eyesMiddle_m += eye_m / static_cast<double>(wishes.eyes_m.size());
@@ -97,13 +99,14 @@ CurvedScreen curvedScreen(ScreenMesh mesh, const PieceWishes& wishes) {
 std::vector<Wall> flatWallsOf(const Wall& wall) {
   if (!wall.screen) return {wall};
   std::vector<Wall> walls;
+  const glm::dvec2 scale = glm::dvec2(wall.pixels) / glm::dvec2(wall.screen->window_px);
   for (const FlatPiece& piece : wall.screen->pieces) {
     Wall& flat = walls.emplace_back(wall);
     flat.screen.reset();
     flat.lowerLeft_m = piece.wall.lowerLeft_m;
     flat.lowerRight_m = piece.wall.lowerRight_m;
     flat.upperLeft_m = piece.wall.upperLeft_m;
-    flat.pixels = piece.wall.pixels;
+    flat.pixels = glm::max(glm::ivec2(glm::round(glm::dvec2(piece.wall.pixels) * scale)), 1);
     flat.piece = static_cast<int>(walls.size());
     flat.heldFrames = 0;
   }

@@ -11,14 +11,16 @@
 #include "cave/screen/flat_pieces.h"
 #include "cave/screen/screen_mesh.h"
 #include "cave/screen/screen_shape.h"
+#include "cave/screen/sky.h"
 
 namespace carom {
 
 struct CurvedScreen {
-  std::variant<std::monostate, CylinderScreen, DomeScreen> shape;  ///< its formula, if it has one
-  ScreenMesh mesh;                                                 ///< all of it
+  std::variant<std::monostate, CylinderScreen, DomeScreen, Sky> shape;  ///< its formula, if it has one
+  ScreenMesh mesh;                                                      ///< all of it
   std::vector<FlatPiece> pieces;  ///< those on the window's left half come first
   std::size_t leftPieces = 0;     ///< how many lie on the left half
+  glm::ivec2 window_px{0};        ///< for which the pieces have their pixels
   glm::dvec3 eyesMiddle_m{0.0};   ///< of the eyes for which the pieces are made
   double slide_px = 0.0;  ///< how far, as predicted, a picture is off its place between the mesh's points
 };
@@ -37,7 +39,7 @@ double slideOf_px(const ScreenMesh& mesh, const glm::ivec2& window_px, std::span
 CurvedScreen curvedScreen(ScreenMesh mesh, const PieceWishes& wishes);
 
 /// Returns the flat walls of a wall with a curved screen, each as a wall of its node and viewer with its
-/// name; those of a flat wall are the wall itself.
+/// name, and with as many pixels as the wall's own ask for; those of a flat wall are the wall itself.
 std::vector<Wall> flatWallsOf(const Wall& wall);
 
 }  // namespace carom

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kNear_m = 0.05;  // an eye nearer to a piece's plane sees nothing on it
 constexpr int kMargin_px = 2;     // around what is seen, for the filter between texels
-constexpr double kMostTexels =
-    3;  // as many times as wished for, each way: for an eye that looks along the screen
 
 /// A plane before which the eyes are: points with normal · r = at_m.
 struct Plane {
@@ -158,14 +156,12 @@ std::optional<FlatPiece> pieceOf(ScreenMesh mesh, const PieceWishes& wishes) {
   const PlaneAxes axes = axesIn(plane, mesh);
   Needed needed = neededOf(mesh, plane, axes, wishes);
   if (!(needed.least_m.x < needed.most_m.x && needed.least_m.y < needed.most_m.y)) return std::nullopt;
-  // An eye that looks along the screen needs no more than kMostTexels times the texels of the window's own
-  // pixels.
   const glm::dvec2 window(extentOf(mesh, 0).y - extentOf(mesh, 0).x,
                           extentOf(mesh, 1).y - extentOf(mesh, 1).x);
   const glm::dvec2 size_m = needed.most_m - needed.least_m;
   const glm::dvec2 shown_px = window * glm::dvec2(wishes.window_px);
   const glm::dvec2 texels = glm::min(wishes.texelsPerPixel * size_m / needed.pixel_m,
-                                     kMostTexels * wishes.texelsPerPixel * shown_px);
+                                     wishes.most * wishes.texelsPerPixel * shown_px);
   const glm::dvec2 texel_m = size_m / glm::max(glm::ceil(texels), 1.0);
   FlatPiece piece{std::move(mesh), {}, plane.stands_m};
   const glm::dvec2 from_m = needed.least_m - static_cast<double>(kMargin_px) * texel_m,
@@ -185,8 +181,12 @@ std::optional<FlatPiece> pieceOf(ScreenMesh mesh, const PieceWishes& wishes) {
 std::vector<FlatPiece> flatPieces(const ScreenMesh& screen, const PieceWishes& wishes) {
   std::vector<FlatPiece> pieces;
   std::vector<ScreenMesh> parts;
-  // The right half first: parts are taken from the end.
-  for (const bool right : {true, false}) parts.push_back(cutAt(screen, 0, 0.5, right));
+  // The rightmost strip first: parts are taken from the end.
+  for (int strip = wishes.strips; strip-- > 0;) {
+    const double left = static_cast<double>(strip) / wishes.strips,
+                 right = static_cast<double>(strip + 1) / wishes.strips;
+    parts.push_back(cutAt(cutAt(screen, 0, left, true), 0, right, false));
+  }
   while (!parts.empty()) {
     ScreenMesh part = std::move(parts.back());
     parts.pop_back();

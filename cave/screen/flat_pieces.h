@@ -30,13 +30,19 @@ struct PieceWishes {
   /// Where eyes may be: each sees its part of the screen within the piece, and with the texels that are
   /// wished for.
   std::span<const glm::dvec3> eyes_m;
+  /// A piece has so many times the texels of its part of the window, each way, at most: for an eye that looks
+  /// along the screen, and where the window stretches what it shows.
+  double most = 3.0;
+  /// The window is first cut into so many columns of one width, an even number, so that none lies on both of
+  /// its halves.
+  int strips = 2;
 };
 
 /// Parts of one screen, at most.
 inline constexpr std::size_t kMostPieces = 64;
 
-/// Returns the pieces of a screen. The window is halved, in the middle first, until each part keeps to the
-/// sagitta, so that none lies on both halves of the window. Returns none if that takes more than kMostPieces.
+/// Returns the pieces of a screen. Each strip of the window is halved until each part keeps to the sagitta.
+/// Returns none if that takes more than kMostPieces.
 /// Each wall reaches as far as the lines from all eyes, and two texels farther. A piece on or behind whose
 /// wall an eye lies is made for the other eyes.
 std::vector<FlatPiece> flatPieces(const ScreenMesh& screen, const PieceWishes& wishes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -10,9 +11,21 @@
 namespace carom {
 namespace {
 
+/// Returns the triangles that reach over the middle line of the window along an axis.
+ScreenMesh acrossMiddle(const ScreenMesh& mesh, int axis) {
+  ScreenMesh across;
+  std::copy_if(mesh.begin(), mesh.end(), std::back_inserter(across), [&](const ScreenTriangle& t) {
+    const auto [low, high] =
+        std::minmax({t[0].inWindow[1 - axis], t[1].inWindow[1 - axis], t[2].inWindow[1 - axis]});
+    return low <= 0.5 && high >= 0.5;
+  });
+  return across;
+}
+
 /// Returns the length of the screen along an axis of the window, through its middle.
-double lengthAlong_m(const ScreenMesh& mesh, int axis) {
+double lengthAlong_m(const ScreenMesh& whole, int axis) {
   constexpr int kSteps = 256;
+  const ScreenMesh mesh = acrossMiddle(whole, axis);
   double length_m = 0.0;
   std::optional<glm::dvec3> before_m;
   for (int i = 0; i <= kSteps; ++i) {

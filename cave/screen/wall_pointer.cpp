@@ -40,7 +40,8 @@ std::optional<PointedWall> pointedIn(const Wall& wall, const Viewport& pane, con
   glm::dvec2 inPicture(share.x, 1.0 - share.y);
   if (wall.screen) {
     const auto onScreen_m = inRoom_m(wall.screen->mesh, glm::clamp(inPicture, 0.0, 1.0));
-    return onScreen_m ? std::optional(PointedWall{*onScreen_m, eye}) : std::nullopt;
+    if (!onScreen_m) return std::nullopt;
+    return PointedWall{*onScreen_m, eye, 0, wall.sky ? wall.sky->from_m : std::nullopt};
   }
   if (wall.skewed) {
     const glm::dvec3 place = pictureFromWindow(*wall.skewed) * glm::dvec3(inPicture, 1.0);

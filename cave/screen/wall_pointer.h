@@ -16,6 +16,8 @@ struct PointedWall {
   Vec3 onWall_m{0.0};      ///< the place on the wall that it points to; room frame
   Eye eye = Eye::middle;   ///< the eye from which that place is seen
   std::size_t viewer = 0;  ///< whose eye it is, an index of the rig's viewers
+  /// Of a picture by direction, the place in the room from which it is seen; none: that eye's.
+  std::optional<Vec3> from_m{};
 };
 
 /// Returns how far the pointer is outside the pane, in pixels; 0 inside.

@@ -52,14 +52,11 @@ void SurviveDecoder::decode(std::span<const std::uint8_t> bytes, std::vector<Rea
   std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   while (!rest.empty()) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
-    if (line_.size() + length > kLongestLine) isTooLong_ = true;
+    const bool isTooLong = line_.size() + length > kLongestLine;
     line_ += rest.substr(0, std::min(length, kLongestLine - line_.size()));
+    if (isTooLong && !std::exchange(isTooLong_, true)) judgeLongLine();
     if (length < rest.size()) {
-      if (isTooLong_) {
-        endLongLine();
-      } else {
-        readLine(line_, readings);
-      }
+      if (!std::exchange(isTooLong_, false)) readLine(line_, readings);
       line_.clear();
     }
     rest.remove_prefix(std::min(length + 1, rest.size()));
@@ -127,8 +124,7 @@ int SurviveDecoder::sensorOf(std::string_view device) const {
   return found == sensors.end() ? -1 : static_cast<int>(found - sensors.begin());
 }
 
-void SurviveDecoder::endLongLine() {
-  isTooLong_ = false;
+void SurviveDecoder::judgeLongLine() {
   std::string_view line = line_;
   takeWord(line);
   takeWord(line);

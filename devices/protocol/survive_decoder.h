@@ -41,7 +41,7 @@ class SurviveDecoder {
   void readButton(std::string_view device, std::string_view numbers, Reading reading,
                   std::vector<Reading>& readings);
   int sensorOf(std::string_view device) const;
-  void endLongLine();
+  void judgeLongLine();
   void refuse(std::string why);
 
   std::vector<std::string> names_;

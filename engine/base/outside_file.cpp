@@ -45,11 +45,12 @@ class OpenedFile {
   /// largest size is that of the part that is read.
   std::string read(std::uintmax_t most) {
     std::string content;
-    constexpr std::size_t kStep_bytes = 1 << 20;
-    content.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(bytes_, most)) + kStep_bytes);
+    constexpr std::uintmax_t kLeast_bytes = 1 << 12, kMost_bytes = 1 << 20;  // at once
     while (content.size() < most) {
       const std::size_t before = content.size();
-      const auto step = static_cast<std::size_t>(std::min<std::uintmax_t>(kStep_bytes, most - before));
+      const std::uintmax_t left = bytes_ > before ? bytes_ - before : 0;
+      const auto step =
+          static_cast<std::size_t>(std::min(std::clamp(left, kLeast_bytes, kMost_bytes), most - before));
       content.resize(before + step);
       const ssize_t got = ::read(descriptor_, content.data() + before, step);
       content.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));

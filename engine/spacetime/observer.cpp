@@ -16,6 +16,26 @@ Lorentz startingRoom(const ObserverStart& start, const RoomAxes& axes, double c_
   return Lorentz::boost(uFromBeta(start.beta), c_m_s) * Lorentz::rotation(turn, c_m_s);
 }
 
+// The eyes rest in the head's frame: there they are apart by ±right_m at no time apart.
+ObserverView viewOfEyes(const Lorentz& headFromBoard, const EyeView& middle, const Vec3& right_m,
+                        double properTime_s) {
+  const Lorentz boardFromHead = headFromBoard.inverse();
+  const auto eye = [&](const Vec3& offset_m) {
+    return EyeView{middle.observation + boardFromHead * Displacement{0.0, offset_m},
+                   middle.positionInRoom_m + offset_m, middle.seenFromInRoom_m + offset_m};
+  };
+  return {headFromBoard, eye(-right_m), eye(right_m), middle, properTime_s};
+}
+
+// The other's light arrives at the place from which its view counts seen places; the room's present of that
+// event holds the place's own, X = X_other + Λ (0, r − r_other).
+ObserverView viewAtRest(const ObserverView& other, const Lorentz& boardFromRoom, double room_s,
+                        const Vec3& placeInRoom_m, const Vec3& right_m) {
+  const Vec3 apart_m = placeInRoom_m - other.middle.seenFromInRoom_m;
+  const Event here = other.middle.observation + boardFromRoom * Displacement{0.0, apart_m};
+  return viewOfEyes(boardFromRoom.inverse(), {here, placeInRoom_m, placeInRoom_m}, right_m, room_s);
+}
+
 ObserverView frozenViewAt(const ObserverView& sight, const ObserverView& now) {
   const auto from = [&](const EyeView& eye) {
     return EyeView{sight.middle.observation, eye.positionInRoom_m, sight.middle.seenFromInRoom_m};

@@ -54,6 +54,16 @@ struct ObserverView {
   std::array<EyeView, 3> all() const { return {left, right, middle}; }
 };
 
+/// Returns what eyes see of which one is `right_m` from `middle` and the other as far on its other side (room
+/// frame), at events that are simultaneous for the head.
+ObserverView viewOfEyes(const Lorentz& headFromBoard, const EyeView& middle, const Vec3& right_m,
+                        double properTime_s);
+
+/// Returns the view of somebody who rests at a place of the room, at the room's moment of another's view;
+/// `right_m` as in viewOfEyes.
+ObserverView viewAtRest(const ObserverView& other, const Lorentz& boardFromRoom, double room_s,
+                        const Vec3& placeInRoom_m, const Vec3& right_m);
+
 /// Returns a frozen view that the person walks round: the light is that of `sight`, from the middle of the
 /// eyes, for both eyes; the eyes' positions in the room are those of `now`.
 ObserverView frozenViewAt(const ObserverView& sight, const ObserverView& now);

@@ -111,13 +111,14 @@ TEST(FileKey, ReaderOfPlaylistsReadsTheDeclaredKeys) { compare(playlistKeys(), r
 
 TEST(FileKey, ReaderOfRigsReadsTheDeclaredKeys) {
   const std::string osc = "kind = 'osc'", dome = "shape = 'dome'";
-  const Variant forOne{.leftOut = {"headset", "viewer", "wall.screen"}, .more = {{"tracker", osc}}},
-      forSeveral{.leftOut = {"headset", "head", "hand", "wall.screen"}},
+  const Variant forOne{.leftOut = {"headset", "viewer", "wall.screen", "wall.sky"},
+                       .more = {{"tracker", osc}}},
+      forSeveral{.leftOut = {"headset", "head", "hand", "wall.screen", "wall.sky"}},
       ofHeadset{.leftOut = {"head", "hand", "viewer", "tracker", "wall", "node"}},
-      ofCylinder{.leftOut = {"headset", "viewer"}},
+      ofCylinder{.leftOut = {"headset", "viewer"}}, ofSky{.leftOut = {"headset", "viewer", "wall.screen"}},
       ofDome{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", dome}}};
   const auto read = [](const std::filesystem::path& file) { readRig(file); };
-  compare(rigKeys(), read, {forOne, forSeveral, ofHeadset, ofCylinder, ofDome});
+  compare(rigKeys(), read, {forOne, forSeveral, ofHeadset, ofCylinder, ofDome, ofSky});
 }
 
 TEST(FileKey, ReaderOfScenariosReadsTheDeclaredKeys) {

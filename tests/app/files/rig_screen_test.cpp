@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <variant>
 
 #include "app/input_faults.h"
 #include "app/temporary_folder.h"
@@ -35,6 +36,7 @@ const std::string kArc =
 
 Rig read(const std::string& text) {
   const TemporaryFolder folder;
+  folder.file("mirror.obj", "v -1 -1\nv 1 -1\nv 0 1\nvt 0 0\nvt 1 0\nvt 0.5 1\nf 1 2 3\n");
   return readRig(folder.file("given.toml", text));
 }
 
@@ -112,6 +114,33 @@ TEST(RigScreen, PiecesAreTheFlatWallsOfTheRoom) {
   }
 }
 
+TEST(RigScreen, APictureByDirectionIsForEyesOfItsOwn) {
+  const std::string before = kArc.substr(0, kArc.find("screen"));
+  const Rig rig = read(before +
+                       "warp = 'mirror.obj'\nsky = { kind = 'fisheye', fov_deg = 240, heading_deg = 90, "
+                       "tilt_deg = 30, from = [10, 20, 170] }\n");
+  const Wall& wall = rig.walls.at(0);
+  ASSERT_TRUE(wall.sky && wall.screen);
+  EXPECT_EQ(wall.sky->from_m, glm::dvec3(0.1, 0.2, 1.7));
+  // The eyes face the heading, to the right of forward: their right is backward.
+  EXPECT_LT(glm::distance(wall.sky->right, glm::dvec3(0, -1, 0)), 1e-12);
+  const auto& sky = std::get<Sky>(wall.screen->shape);
+  EXPECT_NEAR(sky.fov_rad, 240.0 * std::numbers::pi / 180.0, 1e-12);
+  EXPECT_LT(glm::distance(sky.axis, glm::dvec3(0.5, 0, std::sqrt(0.75))), 1e-12);
+  EXPECT_EQ(wall.warp.filename(), "mirror.obj");
+  EXPECT_TRUE(standingWalls(rig).empty()) << "it stands nowhere in the room";
+  ASSERT_TRUE(rig.panel) << "words stand before the eyes";
+  const glm::dvec3 middle_m = 0.5 * (rig.panel->lowerRight_m + rig.panel->upperLeft_m);
+  EXPECT_NEAR(middle_m.y, 3.0 * std::cos(std::numbers::pi / 6.0), 1e-3);
+}
+
+TEST(RigScreen, APictureByDirectionWithoutAPlaceIsTheHeads) {
+  const Rig rig = read(kArc.substr(0, kArc.find("screen")) + "sky = { kind = 'cubemap' }\n");
+  ASSERT_TRUE(rig.walls.at(0).sky);
+  EXPECT_FALSE(rig.walls[0].sky->from_m);
+  EXPECT_EQ(rig.walls[0].screen->pieces.size(), 6U);
+}
+
 class RigScreenFaults : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(RigScreenFaults, ArePlacedAndExplained) { test::expectExplained(GetParam(), read); }
@@ -130,6 +159,16 @@ INSTANTIATE_TEST_SUITE_P(
               kArc + "[[wall]]\nname = 'flat'\nlower_left = [0, 300, 0]\nlower_right = [100, "
                      "300, 0]\nupper_left = [0, 300, 100]\npixels = [9, 9]\nfacet_sagitta = 1\n",
               18, 17, "of a wall with a screen"},
+        Fault{"a screen and a sky", changed("screen", "sky = { kind = 'fisheye' }\nscreen"), 11, 7,
+              "without a screen"},
+        Fault{"a sky with corners",
+              changed("screen", "lower_left = [0, 0, 0]\nsky = { kind = 'fisheye' }\n#"), 11, 14,
+              "beside screen or sky"},
+        Fault{"a sky of no kind", changed("screen", "sky = { kind = 'dome' }\n#"), 11, 16, "fisheye"},
+        Fault{"a fisheye of 0 degrees", changed("screen", "sky = { kind = 'fisheye', fov_deg = 0 }\n#"), 11,
+              37, "a number above 0"},
+        Fault{"a sky's sagitta", changed("screen", "facet_sagitta = 1\nsky = { kind = 'fisheye' }\n#"), 11,
+              17, "of a wall with a screen"},
         Fault{"a panel behind the head",
               kArc + "[panel]\nlower_left = [100, -250, 50]\nlower_right = [-100, -250, 50]\nupper_left = "
                      "[100, -250, "

@@ -82,5 +82,64 @@ TEST(RoomKind, CornersOfRealRoomsAreThoseOfAnIndependentReading) {
   }
 }
 
+TEST(RoomKind, ANameIsRefusedWhereThereIsOneRoom) {
+  const std::filesystem::path rooms = CAROM_TESTS_DIR "/fuzz/fuzz_rooms";
+  for (const char* name :
+       {"room.eqc", "sgct.xml", "room.ndisplay", "room.cfg", "blender.xml", "cover_memory.xml"}) {
+    try {
+      readForeignRoom(rooms / name, "Other");
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("expected no --room 'Other'"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(RoomKind, OnlyWhatNobodyReadsIsNamedAsUnread) {
+  const std::filesystem::path rooms = CAROM_TESTS_DIR "/fuzz/fuzz_rooms";
+  const std::map<std::string, std::vector<std::string>> unread{{"hevs_curved.json", {"warp_path 'warp.tif'"}},
+                                                               {"cover.xml", {"'Old'"}}};
+  for (const auto& entry : std::filesystem::directory_iterator(rooms)) {
+    const auto expected = unread.find(entry.path().filename());
+    std::vector<std::string> named;
+    for (const Finding& finding : readForeignRoom(entry.path()).findings) {
+      const std::size_t end = finding.text.find(" is left out: nothing here does the like");
+      if (end != std::string::npos) named.push_back(finding.text.substr(0, end));
+    }
+    EXPECT_EQ(named, expected == unread.end() ? std::vector<std::string>() : expected->second)
+        << entry.path();
+  }
+}
+
+TEST(RoomKind, AnUnknownWordInAnyPartIsNamed) {
+  // In the formats of brackets: after each opening one.
+  const std::filesystem::path rooms = CAROM_TESTS_DIR "/fuzz/fuzz_rooms";
+  for (const auto& [name, word, parts] :
+       {std::tuple("hevs.json", "\"zzz\": 1, ",
+                   std::vector<std::string>{"\"Cave\": {", "\"Glasses\": {", "\"half\": {", "\"front\": {",
+                                            "\"stereo\": {"}),
+        std::tuple("room.ndisplay", "\"zzz\": 1, ",
+                   std::vector<std::string>{"\"scene\": {", "\"s_left\": {", "\"L\": {", "\"v_left\": {",
+                                            "\"a\": {"}),
+        std::tuple("cover.xml", " zzz=\"1\"",
+                   std::vector<std::string>{"<Stereo", "<FloorHeight", "<Window name=\"0\"", "<Head"}),
+        std::tuple("blender.xml", " zzz=\"1\"", std::vector<std::string>{"<user", "<tracker", "<sensor"}),
+        std::tuple("room.jconf", "<zzz>1</zzz>",
+                   std::vector<std::string>{"</display_window", "</vrpn", "</user>"})}) {
+    std::ifstream file(rooms / name);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const std::string& part : parts) {
+      std::string more = text;
+      const std::size_t at = more.find(part);
+      ASSERT_NE(at, std::string::npos) << name << part;
+      more.insert(part[1] == '/' ? at : at + part.size(), word);
+      const Room room = test::roomOf(name, more);
+      EXPECT_NE(test::findingWith(room, "zzz '1' is left out").at.line, 0)
+          << name << part << test::allFindings(room);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -10,9 +10,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 
 #include "cave/display/window.h"
+#include "cave/screen/curved_screen.h"
 
 namespace carom {
 namespace {
@@ -144,6 +146,50 @@ TEST(Movie, EveryFrameIsThereAndLooksAsItWasDrawn) {
     EXPECT_GT(psnr_dB, kAlike_dB) << name;
     fs::remove(file);
   }
+}
+
+/// What players are told of the projection of a movie of these walls, and how many frames it has.
+std::string projectionOf(const fs::path& file, const std::vector<Wall>& walls) {
+  std::vector<std::unique_ptr<RenderTarget>> targets;
+  std::vector<const RenderTarget*> pictures;
+  for (const Wall& wall : walls) {
+    targets.push_back(std::make_unique<RenderTarget>(wall.pixels));
+    pictures.push_back(targets.back().get());
+  }
+  Movie movie(file, movieLayout(walls, true), 30.0, WhenFull::wait);
+  for (int frame = 0; frame < 3; ++frame) movie.add(frame / 30.0, pictures);
+  movie.finish();
+  return outputOf(
+      "ffprobe -loglevel error -count_frames -select_streams v:0 -show_entries "
+      "stream=nb_read_frames:stream_side_data=projection,type -of csv=p=0 '" +
+      file.string() + "' | tr ',\\n' '  ' | tr -s ' '");
+}
+
+// As read by another program: the projection, and for two eyes where the second one's picture is.
+TEST(Movie, AMovieOfAllDirectionsSaysSoToPlayers) {
+  const Folder folder;
+  Graphics graphics;
+  const auto screenOf = [](SkyKind kind) {
+    auto screen = std::make_shared<CurvedScreen>();
+    Sky sky;
+    sky.kind = kind;
+    screen->shape = sky;
+    return screen;
+  };
+  Wall all = wallOf("sky", {128, 64}, StereoMode::mono, {0, {0, 0}, {128, 64}, false});
+  all.screen = screenOf(SkyKind::equirectangular);
+  Wall left = all, right = all;
+  left.stereo = StereoMode::left;
+  right.stereo = StereoMode::right;
+  right.window.position_px = {0, 64};
+  EXPECT_EQ(projectionOf(folder.path / "mono.mp4", {all}), "3 equirectangular ");
+  EXPECT_EQ(projectionOf(folder.path / "both.mp4", {left, right}), "3 top and bottom equirectangular ");
+  Wall fisheye = all;
+  fisheye.screen = screenOf(SkyKind::fisheye);
+  EXPECT_EQ(projectionOf(folder.path / "fisheye.mp4", {fisheye}), "3 ");
+  EXPECT_EQ(projectionOf(folder.path / "all.webm", {all}), "3 ");
+  std::ofstream(folder.path / "none.mp4") << "this is no movie";
+  EXPECT_THROW(markSpherical(folder.path / "none.mp4", Spherical::mono), std::runtime_error);
 }
 
 TEST(Movie, AFrameThatStaysIsThereAsOften) {

@@ -6,8 +6,10 @@
 
 #include <array>
 #include <glm/geometric.hpp>
+#include <memory>
 
 #include "cave/room/off_axis.h"
+#include "cave/screen/sky_screen.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -95,6 +97,27 @@ TEST(WallPointer, BeyondThePaneThePlaneGoesOn) {
   EXPECT_LT(glm::distance(below->onWall_m, middle->onWall_m - upwards_m), 1e-12);
   EXPECT_EQ(outside_px(kPane, middle_px), 0.0);
   EXPECT_EQ(outside_px(kPane, below_px), 0.5 * kPane.size_px.y);
+}
+
+TEST(WallPointer, APictureByDirectionIsPointedIntoFromItsPlace) {
+  const Sky sky{SkyKind::fisheye, 3.5, {0, 1, 0}, {0, 0, -1}, {0.4, 1.5, -0.2}};
+  Wall wall;
+  wall.pixels = {800, 800};
+  wall.screen = std::make_shared<CurvedScreen>(screenOf(sky, wall.pixels, 1.25));
+  wall.sky = SkyEyes{sky.middle_m, {1, 0, 0}};
+  test::Random random(12);
+  constexpr double kPixel_rad = 3.5 / 800.0;
+  for (int i = 0; i < 50; ++i) {
+    const glm::dvec2 share =
+        0.5 + random.in(0.0, 0.49) * glm::normalize(glm::dvec2(random.in(-1.0, 1.0), 0.5));
+    const glm::dvec2 pointer_px = glm::dvec2(kPane.position_px) + share * glm::dvec2(kPane.size_px);
+    const auto pointed = pointedIn(wall, kPane, pointer_px);
+    ASSERT_TRUE(pointed && pointed->from_m);
+    const glm::dvec3 along = glm::normalize(pointed->onWall_m - *pointed->from_m);
+    EXPECT_LT(glm::distance(along, directionOf(sky, {share.x, 1.0 - share.y}, wall.pixels)),
+              0.1 * kPixel_rad);
+  }
+  EXPECT_FALSE(pointedIn(wall, kPane, glm::dvec2(kPane.position_px) + 2.0)) << "beside the circle";
 }
 
 }  // namespace

@@ -106,6 +106,10 @@ TEST(SurviveDecoder, LongLinesArePassedByInBoundedMemory) {
       << decoder.whyRefused();
   EXPECT_EQ(readingsOf(decoder, "1 T20 CONFIG " + million + "\r\n" + std::string(kPose)).size(), 1u);
   EXPECT_EQ(decoder.refused(), 1u) << "a configuration may be long";
+  EXPECT_TRUE(readingsOf(decoder, million).empty());
+  EXPECT_EQ(decoder.refused(), 2u) << "a line that does not end is told of before it does";
+  EXPECT_EQ(readingsOf(decoder, million + '\n' + std::string(kPose)).size(), 1u);
+  EXPECT_EQ(decoder.refused(), 2u) << "and once only";
 }
 
 TEST(SurviveDecoder, TellsOfSomeDevicesOnly) {

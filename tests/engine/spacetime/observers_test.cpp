@@ -83,6 +83,46 @@ TEST(Observers, EyesAreSimultaneousForTheHead) {
   EXPECT_NEAR(walker.dr_m.x, 0.064, 1e-14);
 }
 
+// Two share a moving room: what the second one sees follows from the first one's view and the place alone,
+// also if the first one walks.
+TEST(Observers, WhoRestsElsewhereInTheRoomSeesByTheSamePresent) {
+  test::Random random(23);
+  for (int i = 0; i < 100; ++i) {
+    CASE(random, i);
+    const Lorentz boardFromRoom =
+        Lorentz::boost(random.u(0.95), kC_m_s) *
+        Lorentz::rotation(glm::angleAxis(random.in(0.0, 6.0), glm::normalize(random.inBox(1.0))), kC_m_s);
+    const std::array heads{headAt(random.inBox(2.0), random.inBox(1.0)), headAt(random.inBox(2.0))};
+    const Observers observers(boardFromRoom, {3.0, {0.5, -0.2, 0.1}}, heads);
+    const Vec3 right_m = random.inBox(0.1);
+    const ObserverView expected = observers.view(-right_m, right_m, 1);
+    const ObserverView seen =
+        viewAtRest(observers.view(0.064, 0), boardFromRoom, 7.0, heads[1].roomFromHead.position_m, right_m);
+    EXPECT_EQ(seen.properTime_s, 7.0);
+    for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {
+      EXPECT_NEAR(seen.of(eye).observation.t_s, expected.of(eye).observation.t_s, 1e-12);
+      EXPECT_LT(glm::distance(seen.of(eye).observation.r_m, expected.of(eye).observation.r_m), 1e-12);
+      EXPECT_LT(glm::distance(seen.of(eye).positionInRoom_m, expected.of(eye).positionInRoom_m), 1e-14);
+      EXPECT_LT(glm::distance(seen.of(eye).seenFromInRoom_m, expected.of(eye).seenFromInRoom_m), 1e-14);
+    }
+    EXPECT_LT(glm::distance(seen.headFromBoard.u(), expected.headFromBoard.u()), 1e-12);
+  }
+}
+
+// Eyes that face elsewhere than the head are as simultaneous for it as its own.
+TEST(Observers, TurnedEyesAreSimultaneousForTheHead) {
+  const Observers walking(Lorentz::boost(uFromBeta({0.9, 0.0, 0.0}), kC_m_s), kOrigin,
+                          headAt({0.3, 1.7, 0.0}, {0.7, 0.2, -0.3}));
+  const Vec3 right_m{0.0, 0.01, -0.03};
+  const ObserverView head = walking.view(0.064), expected = walking.view(-right_m, right_m);
+  const ObserverView seen = viewOfEyes(head.headFromBoard, head.middle, right_m, head.properTime_s);
+  for (const Eye eye : {Eye::left, Eye::right, Eye::middle}) {
+    EXPECT_NEAR(seen.of(eye).observation.t_s, expected.of(eye).observation.t_s, 1e-13);
+    EXPECT_LT(glm::distance(seen.of(eye).observation.r_m, expected.of(eye).observation.r_m), 1e-13);
+    EXPECT_LT(glm::distance(seen.of(eye).positionInRoom_m, expected.of(eye).positionInRoom_m), 1e-15);
+  }
+}
+
 // The walk in the room, boosted by the platform: velocities add as relativity says, w' = γ_w γ_V (…).
 TEST(Observers, CelerityOfHeadAndPlatformCompose) {
   const Vec3 platformU = uFromBeta({0.0, 0.6, 0.0});
