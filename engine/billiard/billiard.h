@@ -107,7 +107,7 @@ class Billiard {
   /// are a little later. The commitments do not depend on the steps in which one advances.
   void advanceTo(double t_s);
 
-  /// Plays the soft pucks ahead of what is asked for, on a thread of its own: results are the same, bit for
+  /// Plays the soft pucks ahead of the times asked for, on a thread of its own: results are the same, bit for
   /// bit.
   void playAhead();
 

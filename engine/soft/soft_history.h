@@ -35,7 +35,7 @@ struct SoftNode {
 
 /// The head of a row. Its nodes follow each other in a list beside the rows' list.
 struct SoftRow {
-  std::uint64_t body = 0;  ///< as whoever keeps several histories numbers them
+  std::uint64_t body = 0;  ///< number among the histories that are kept together
   double time = 0.0;
   double centreX = 0.0, centreY = 0.0;      ///< of energy
   double velocityX = 0.0, velocityY = 0.0;  ///< of that centre
