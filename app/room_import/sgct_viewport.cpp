@@ -124,6 +124,12 @@ bool readProjection(const JsonNode& viewport, const JsonNode& projection, RoomWa
   return false;
 }
 
+/// SGCT names no walls.
+std::string_view nameOf(const Wall& wall, const Room& room) {
+  if (wall.sky) return "sky";
+  return wall.screen ? "cylinder" : sideOf(wall, room.axes);
+}
+
 }  // namespace
 
 void readViewport(const JsonNode& node, const SgctWindow& window, SgctReading& in) {
@@ -157,7 +163,7 @@ void readViewport(const JsonNode& node, const SgctWindow& window, SgctReading& i
   if (in.room.walls.size() == kMostWalls) {
     return addError(in.room, node.at, fmt::format("there are more than {} walls", kMostWalls));
   }
-  wall.wall.name = rigName(in.room, wall.wall.sky ? "sky" : sideOf(wall.wall, in.room.axes));
+  wall.wall.name = rigName(in.room, nameOf(wall.wall, in.room));
   in.room.walls.push_back(std::move(wall));
   in.ofWindow.push_back(in.windows);
   in.places.push_back({window.position_px, window.size_px, window.monitor, window.fullscreen});
