@@ -1,6 +1,7 @@
 #include "app/file_keys/screen_keys.h"
 
 #include "app/file_keys/common_keys.h"
+#include "app/file_keys/rig_keys.h"
 #include "cave/screen/sky_screen.h"
 
 namespace carom {
@@ -16,9 +17,10 @@ FileKey screen() {
     return inUnit(kUnitOfRig, number(name, range, sentence));
   };
   return table("screen", "a curved screen, in the place of corners, seen from inside",
-               {required(choice("shape", {"cylinder", "dome"},
-                                "part of a cylinder, or of a sphere, whose window is the circle "
-                                "of a fisheye with the front at its bottom")),
+               {required(choice("shape", {"cylinder", "dome", "mesh", "grid"},
+                                "part of a cylinder; of a sphere, whose window is the circle of a fisheye "
+                                "with the front at its bottom; or measured, as triangles or at the points "
+                                "of a grid")),
                 corner("foot", "of a cylinder: a point of its axis, from which heights are counted"),
                 numbers("axis", 3, {}, "of a cylinder: the direction of its axis, upwards"),
                 corner("centre", "of a dome"), length("radius", kPositive, "of the cylinder or dome"),
@@ -31,7 +33,16 @@ FileKey screen() {
                 number("fov_deg", kFov, "of a dome: the angle across its window's circle", 180.0),
                 number("tilt_deg", kAngle, "of a dome: by how much its axis leans forward from upright", 0.0),
                 number("heading_deg", kAngle,
-                       "of a dome: where its front is, to the right of the room's forward direction", 0.0)});
+                       "of a dome: where its front is, to the right of the room's forward direction", 0.0),
+                fitting("\\.(obj|pfm|vwf)$",
+                        text("file",
+                             "of a mesh, an OBJ: v are places of the screen, vt of the window, 0 to 1 from its "
+                             "lower left; of a grid, a PFM with x, y, z at the middles of its cells, NaN where "
+                             "there is no screen, or a .vwf of VIOSO")),
+                choice("rows", {"bottom", "top"},
+                       "of a PFM: which edge of the window its first row is at", 0),
+                choice("unit", kLengthUnits, "of the file's lengths; left out: the rig's"),
+                pose("room_from_screen", "of a mesh or grid: takes the file's coordinates to the room's")});
 }
 
 FileKey sky() {
