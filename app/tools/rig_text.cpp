@@ -213,6 +213,8 @@ std::string wallText(const Room& room, const Wall& wall) {
     }
     text += fmt::format("eyes = [{}]\n", fmt::join(eyes, ", "));
   }
+  if (!wall.warp.empty()) text += fmt::format("warp = {}\n", tomlText(wall.warp.filename().string()));
+  if (!wall.blend.empty()) text += fmt::format("blend = {}\n", tomlText(wall.blend.filename().string()));
   if (wall.flip != Flip::none) text += fmt::format("flip = \"{}\"\n", toString(wall.flip));
   return text;
 }

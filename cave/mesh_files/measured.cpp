@@ -112,7 +112,7 @@ Made madeOf(ScreenGrid grid, const MeasuredScreen& measured, const MeasuredWishe
 }  // namespace
 
 CurvedScreen screenOf(const MeasuredScreen& measured, const MeasuredWishes& wishes) {
-  MeasuredPlaces places = readScreenFile(measured.file, measured.rows);
+  MeasuredPlaces places = readScreenFile(measured);
   try {
     Made made = std::visit([&](auto& given) { return madeOf(std::move(given), measured, wishes); }, places);
     const std::string fold = foldIn(made.mesh);

@@ -87,14 +87,15 @@ ScreenGrid parsePfmScreen(std::string_view content, GridRows rows) {
   return grid;
 }
 
-MeasuredPlaces readScreenFile(const std::filesystem::path& file, GridRows rows) {
-  const std::string ending = file.extension().string();
+MeasuredPlaces readScreenFile(const MeasuredScreen& screen) {
+  const std::string ending = screen.file.extension().string();
   const InputKind kind = ending == ".obj" ? InputKind::screenMesh : InputKind::screenGrid;
   try {
-    if (const std::string refusal = refusalOf(file, kind); !refusal.empty()) meshFault(1, 1, refusal);
-    return parsed(ending, contentOf(file, kind), rows);
+    if (screen.bytes) return parsed(ending, *screen.bytes, screen.rows);
+    if (const std::string refusal = refusalOf(screen.file, kind); !refusal.empty()) meshFault(1, 1, refusal);
+    return parsed(ending, contentOf(screen.file, kind), screen.rows);
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(file.string() + ":" + error.what());
+    throw std::runtime_error(screen.file.string() + ":" + error.what());
   }
 }
 

@@ -26,9 +26,9 @@ ScreenMesh parseObjScreen(std::string_view content);
 /// in the MPCDI format and in pictures of this kind, or its uppermost.
 ScreenGrid parsePfmScreen(std::string_view content, GridRows rows);
 
-/// Returns the places in a file that ends in .obj, or in .pfm or .vwf. Throws std::runtime_error,
+/// Returns the places in the file of a screen, which ends in .obj, or in .pfm or .vwf. Throws std::runtime_error,
 /// "FILE:LINE:COLUMN: what is wrong, what was expected".
-MeasuredPlaces readScreenFile(const std::filesystem::path& file, GridRows rows);
+MeasuredPlaces readScreenFile(const MeasuredScreen& screen);
 
 /// Returns whether a file ends in .vwf and has a blend.
 bool hasBlend(const std::filesystem::path& file);

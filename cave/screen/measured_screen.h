@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <string>
 
 #include "engine/base/pose.h"
 
@@ -14,6 +16,7 @@ enum class GridRows : std::uint8_t { fromBottom, fromTop };
 /// The file with the places, and how they stand in the room.
 struct MeasuredScreen {
   std::filesystem::path file;
+  std::shared_ptr<const std::string> bytes{};  ///< of a file that is not on the disk yet; null: it is
   bool isGrid = false;  ///< else triangles
   GridRows rows = GridRows::fromBottom;
   double unit_m = 1.0;  ///< of the file's lengths
