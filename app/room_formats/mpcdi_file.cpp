@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -64,8 +65,9 @@ class MpcdiReading {
     refuseTwins(sets, "region", room_);
     for (const Part* display : root_.all("display")) {
       for (const Part* buffer : display->all("buffer")) {
-        buffer->find("id");
+        markRead(*buffer, {"id", "xResolution", "yResolution", "Xresolution", "Yresolution"});
         for (const Part* part : buffer->all("region")) {
+          markRead(*part, {"x", "y", "xsize", "ysize"});
           Region& region = all.emplace_back(Region{part, buffer, nullptr, part->textOf("id")});
           for (const Part* set : sets)
             if (set->textOf("region") == region.id) region.files = set;
@@ -73,6 +75,11 @@ class MpcdiReading {
       }
     }
     return all;
+  }
+
+  /// Marks parts as read that say nothing of a room, or only in some profiles.
+  static void markRead(const Part& part, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) part.find(name);
   }
 
   /// Returns the pixels of a region, by either of the names that they go by.

@@ -56,6 +56,7 @@ glm::dvec3 nearestOn(const std::array<ScreenPoint, 2>& segment, const glm::dvec3
 double rimsMiss_m(const ScreenEnd& screen, const ScreenEnd& other, const glm::dvec3& eyes_m) {
   constexpr std::size_t kSamples = 200;
   constexpr double kAlong = 0.985;  // cosine of 10 degrees
+  constexpr double kBeyond = 0.3, kBeyond_m = 5e-4;  // where one rim goes on as the other, they miss nothing
   double worst_m = 0.0;
   const std::size_t step = std::max<std::size_t>(1, screen.rim.size() / kSamples);
   for (std::size_t i = 0; i < screen.rim.size(); i += step) {
@@ -66,7 +67,9 @@ double rimsMiss_m(const ScreenEnd& screen, const ScreenEnd& other, const glm::dv
     for (const auto& segment : other.rim) {
       const glm::dvec3 way = segment[1].inRoom_m - segment[0].inRoom_m;
       if (std::abs(glm::dot(way, along)) < kAlong * glm::length(way)) continue;
-      apart_m = std::min(apart_m, glm::distance(nearestOn(segment, place_m), place_m));
+      const glm::dvec3 off_m = nearestOn(segment, place_m) - place_m;
+      const bool isBeside = std::abs(glm::dot(off_m, along)) <= kBeyond * glm::length(off_m) + kBeyond_m;
+      if (isBeside) apart_m = std::min(apart_m, glm::length(off_m));
     }
     if (apart_m >= kNear_m || apart_m <= worst_m) continue;
     const auto behind = hit(other.mesh, eyes_m, place_m - eyes_m);

@@ -35,7 +35,7 @@ bool printFindings(const std::filesystem::path& file, const std::vector<Finding>
 
 namespace {
 
-/// The files that a rig needs beside it: written when constructed, and removed unless they are kept.
+/// A rig and the files that it needs beside it: written when constructed, and removed unless they are kept.
 class RigFiles {
  public:
   RigFiles(const std::filesystem::path& rig, const Room& room) {
@@ -49,9 +49,7 @@ class RigFiles {
     }
     try {
       for (const RoomFile& file : room.files) {
-        const std::filesystem::path path = rig.parent_path() / file.name;
-        WholeFile(path).commit(*file.content);
-        written_.push_back(path);
+        add(rig.parent_path() / file.name, *file.content);
       }
     } catch (...) {
       remove();
@@ -62,6 +60,10 @@ class RigFiles {
   RigFiles& operator=(const RigFiles&) = delete;
   ~RigFiles() { remove(); }
 
+  void add(const std::filesystem::path& path, const std::string& content) {
+    WholeFile(path).commit(content);
+    written_.push_back(path);
+  }
   void keep() { written_.clear(); }
 
  private:
@@ -94,10 +96,15 @@ int runImport(const ImportOptions& options) {
     throw std::runtime_error(fmt::format(
         "{} is there already, expected a new file: rigs are measured by hand", options.rig.string()));
   }
-  RigFiles files(options.rig, room);
-  readRig(options.rig, text);  // throws if the written rig would be refused
-  WholeFile(options.rig).commit(text);
-  files.keep();
+  if (room.files.empty()) {
+    readRig(options.rig, text);  // throws if the written rig would be refused
+    WholeFile(options.rig).commit(text);
+  } else {
+    RigFiles files(options.rig, room);
+    files.add(options.rig, text);
+    readRig(options.rig);  // the same: a rig may name files anywhere only where it lies
+    files.keep();
+  }
   for (const std::string& assumption : room.assumptions) log::note(fmt::format("assumed: {}", assumption));
   return 0;
 }

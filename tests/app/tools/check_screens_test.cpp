@@ -50,7 +50,7 @@ TEST(CheckScreens, TellsWhatAMeasuredScreenIs) {
   const TemporaryFolder folder;
   folder.file("arc.pfm", test::pfmBytes(48, 32, arc(-40.0, 40.0)));
   const std::string text = said(folder, wall("arc", "arc.pfm"));
-  expectHas(text, "arc: curved, 4.189 × 2.400 m along it, turns by 80°, 286 to 333 px/m");
+  expectHas(text, "arc: curved, 4.189 × 2.400 m along it, turns by 79°, 309 to 309 px/m, 3.00 to 3.35 m from the eyes");
   expectLacks(text, "warning");
 }
 

@@ -94,7 +94,7 @@ TEST(ImportMpcdi, FlatPicturesAreRightFromOnePlace) {
   for (const std::string profile : {"2d", "3d"}) {
     const std::string rig = folder / (profile + ".toml");
     const auto made =
-        runCarom(folder, {"import", folder.file(profile + ".mpcdi.xml", description(profile, warp("half.pfm"), kFrustum)),
+        runCarom(folder, {"import", folder.file(profile + ".mpcdi.xml", description(profile, warp("half.pfm"), profile == "3d" ? kFrustum : "")),
                           "-o", rig});
     ASSERT_EQ(made.status, 0) << made.err;
     EXPECT_NE(made.err.find("is right from one place only"), std::string::npos) << made.err;
