@@ -247,10 +247,12 @@ TEST_F(SeenOnScreens, EachPixelShowsWhatIsInItsDirection) {
 // The screen is known at some points of the true surface alone.
 TEST_F(SeenOnScreens, EachPixelOfAMeasuredScreenShowsWhatIsInItsDirection) {
   const TrueScreen arc = cylinder(3.0, -70.0, 50.0, {900, 400});
+  TrueScreen bowl = measured(dome(5.0, 20.0, 180.0), 65, 65);
+  bowl.isScreen = [](const glm::dvec2& at) { return glm::length(2.0 * at - 1.0) < 0.95; };  // whole cells
   const std::vector<std::pair<Bent, glm::dvec3>> all{
       {bent(measured(arc, 33, 33), StereoMode::left), {1.1, 1.6, 0.9}},
       {bent(measured(arc, 33, 33), StereoMode::right), {-1.2, 1.5, 0.8}},
-      {bent(measured(dome(5.0, 20.0, 180.0), 65, 65), StereoMode::left), {0.9, 1.6, -1.1}},
+      {bent(bowl, StereoMode::left), {0.9, 1.6, -1.1}},
       {bent(ofCells(arc, 100, 20), StereoMode::left), {1.0, 1.7, 1.0}},
       {bent(ofCells(arc, 100, 20), StereoMode::right), {-1.3, 1.6, -0.4}}};
   for (const auto& [screen, head_m] : all) {
@@ -278,7 +280,7 @@ double blackShare(const Image& window, const glm::dvec2& from, const glm::dvec2&
 
 // The same cylinder from an MPCDI file, and from a file that is written by the table of the .vwf format.
 TEST_F(SeenOnScreens, ACylinderFromFilesIsSeenWhereItIs) {
-  TrueScreen truth = cylinder(3.0, -60.0, 60.0, {1940, 660}, 0.0, 2.4);
+  TrueScreen truth = cylinder(3.0, -60.0, 60.0, {970, 330}, 0.0, 2.4);
   // Cells with a corner that is none are dark: the upper left 4 × 4 points of 97 × 33.
   truth.isScreen = [](const glm::dvec2& at) { return at.x > 4.6 / 97 || at.y < 1.0 - 4.6 / 33; };
   const Room room = readMpcdi(CAROM_TESTS_DIR "/data/rooms/cylinder_a3.mpcdi");
@@ -291,7 +293,7 @@ TEST_F(SeenOnScreens, ACylinderFromFilesIsSeenWhereItIs) {
   const Rig rig = readRig(folder.file(
       "arc.toml",
       "unit = 'm'\naxes = 'x-right y-up z-back'\n[head]\ntracker = 'cap'\n[[tracker]]\nname = 'cap'\nkind = "
-      "'simulated'\n[[wall]]\nname = 'arc'\npixels = [1940, 660]\nscreen = { shape = 'grid', file = 'arc.vwf', unit "
+      "'simulated'\n[[wall]]\nname = 'arc'\npixels = [970, 330]\nscreen = { shape = 'grid', file = 'arc.vwf', unit "
       "= 'mm' }\n"));
   const FrameRecord record = frame(0.6, {1.0, 1.6, 0.8});
   for (const auto& [name, wall] : {std::pair("cylinder_a3.mpcdi", room.walls[0].wall), {"arc.vwf", rig.walls.at(0)}}) {
