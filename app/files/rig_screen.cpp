@@ -115,8 +115,8 @@ MeasuredScreen readMeasured(const TomlFile& file, const TomlTable& table, bool i
   const std::string ending = screen.file.extension().string();
   const bool isKnown = isGrid ? ending == ".pfm" || ending == ".vwf" : ending == ".obj";
   if (!screen.file.empty() && !isKnown)
-    table.fault("file", fmt::format("file is '{}', expected a file ending in {}", screen.file.filename().string(),
-                                    isGrid ? ".pfm or .vwf" : ".obj"));
+    table.fault("file", fmt::format("file is '{}', expected a file ending in {}",
+                                    screen.file.filename().string(), isGrid ? ".pfm or .vwf" : ".obj"));
   return screen;
 }
 
@@ -272,10 +272,10 @@ std::optional<ScreenFault> curve(const ScreenText& text, const RoomAxes& axes, W
   if (const auto* sky = std::get_if<SkyText>(&text.shape)) wall.sky = sky->eyes;
   wall.screen = std::move(screen);
   if (!wall.screen->pieces.empty()) return std::nullopt;
-  return ScreenFault{false,
-                     fmt::format("the screen is deeper than {:.0f} mm in more than {} flat pieces, expected a larger "
-                                 "facet_sagitta",
-                                 text.sagitta_m * 1e3, kMostPieces)};
+  return ScreenFault{
+      false, fmt::format("the screen is deeper than {:.0f} mm in more than {} flat pieces, expected a larger "
+                         "facet_sagitta",
+                         text.sagitta_m * 1e3, kMostPieces)};
 }
 
 void refuseScreen(const ScreenFault& fault, const TomlTable& wallTable) {

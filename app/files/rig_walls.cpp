@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <glm/common.hpp>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <variant>

@@ -35,7 +35,8 @@ voidpf openMemory(voidpf memory, const void*, int) { return memory; }
 
 uLong readMemory(voidpf, voidpf stream, void* to, uLong size) {
   Memory& memory = memoryOf(stream);
-  const std::size_t got = std::min<std::size_t>(size, memory.bytes->size() - std::min(memory.at, memory.bytes->size()));
+  const std::size_t got =
+      std::min<std::size_t>(size, memory.bytes->size() - std::min(memory.at, memory.bytes->size()));
   if (got > 0) std::memcpy(to, memory.bytes->data() + memory.at, got);
   memory.at += got;
   return static_cast<uLong>(got);
@@ -115,9 +116,11 @@ MpcdiArchive::MpcdiArchive(const std::filesystem::path& file)
   do {
     const auto [name, size] = zip.present();
     if (name.empty() || sizes_.size() >= kMostFiles)
-      refuse(file, fmt::format("the archive has broken names or over {} files, expected an .mpcdi", kMostFiles));
+      refuse(file,
+             fmt::format("the archive has broken names or over {} files, expected an .mpcdi", kMostFiles));
     if (leadsOut(name))
-      refuse(file, fmt::format("the archive holds '{}', which leads out of it, expected names inside", printable(name)));
+      refuse(file, fmt::format("the archive holds '{}', which leads out of it, expected names inside",
+                               printable(name)));
     all = size > most ? most + 1 : all + size;
     if (all > most)
       refuse(file, fmt::format("the archive unpacks to more than {} MiB, with '{}', expected at most that",
@@ -128,7 +131,8 @@ MpcdiArchive::MpcdiArchive(const std::filesystem::path& file)
 
 std::string MpcdiArchive::description() const {
   if (!isZip_) return bytes_;
-  if (!sizes_.contains(kDescription)) refuse(file_, fmt::format("the archive has no {}, expected one", kDescription));
+  if (!sizes_.contains(kDescription))
+    refuse(file_, fmt::format("the archive has no {}, expected one", kDescription));
   try {
     return contentOf(kDescription, limitOf(InputKind::xml).most_MiB << 20U);
   } catch (const std::runtime_error& fault) {
@@ -146,13 +150,16 @@ std::string MpcdiArchive::contentOf(const std::string& name, std::size_t most) c
     if (std::filesystem::exists(path) && !liesBelow(path, file_.parent_path()))
       throw std::runtime_error(fmt::format("'{}' is {}", shown, outsideWords(path, file_.parent_path())));
     const std::string content = carom::contentOf(path, InputKind::mpcdi);
-    if (content.size() > most) throw std::runtime_error(fmt::format("'{}' has over {} bytes, expected fewer", shown, most));
+    if (content.size() > most)
+      throw std::runtime_error(fmt::format("'{}' has over {} bytes, expected fewer", shown, most));
     return content;
   }
   const auto known = sizes_.find(name);
-  if (known == sizes_.end()) throw std::runtime_error(fmt::format("the archive has no '{}', expected it", shown));
+  if (known == sizes_.end())
+    throw std::runtime_error(fmt::format("the archive has no '{}', expected it", shown));
   if (known->second > most)
-    throw std::runtime_error(fmt::format("'{}' has {} bytes, expected at most {}", shown, known->second, most));
+    throw std::runtime_error(
+        fmt::format("'{}' has {} bytes, expected at most {}", shown, known->second, most));
   const Zip zip(bytes_);
   std::string content(known->second, '\0');
   constexpr int kWithCase = 1;
@@ -161,7 +168,8 @@ std::string MpcdiArchive::contentOf(const std::string& name, std::size_t most) c
                        unzReadCurrentFile(zip.get(), content.data(), static_cast<unsigned>(content.size())) ==
                            static_cast<int>(content.size()) &&
                        unzCloseCurrentFile(zip.get()) == UNZ_OK;
-  if (!isWhole) throw std::runtime_error(fmt::format("'{}' is broken in the archive, expected it whole", shown));
+  if (!isWhole)
+    throw std::runtime_error(fmt::format("'{}' is broken in the archive, expected it whole", shown));
   return content;
 }
 

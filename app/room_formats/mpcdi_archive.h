@@ -10,9 +10,9 @@ namespace carom {
 
 class MpcdiArchive {
  public:
-  /// Opens a file (InputKind::mpcdi). Throws InputErrors if it cannot be read; if it begins as a zip archive and
-  /// is none, has over 1000 files, one by an absolute name or a name that leads out of it, or unpacks to more
-  /// than a file of its kind may have, all together.
+  /// Opens a file (InputKind::mpcdi). Throws InputErrors if it cannot be read; if it begins as a zip archive
+  /// and is none, has over 1000 files, one by an absolute name or a name that leads out of it, or unpacks to
+  /// more than a file of its kind may have, all together.
   explicit MpcdiArchive(const std::filesystem::path& file);
 
   /// Returns the text of mpcdi.xml. Throws InputErrors if there is none.

@@ -52,7 +52,8 @@ class MpcdiReading {
 
   void read() {
     for (const Region& region : regions()) readRegion(region);
-    constexpr std::array<std::string_view, 6> kQuiet{"date", "level", "version", "geometry", "color", "profile"};
+    constexpr std::array<std::string_view, 6> kQuiet{"date",     "level", "version",
+                                                     "geometry", "color", "profile"};
     nameUnread(root_, kQuiet, room_);
   }
 
@@ -101,9 +102,10 @@ class MpcdiReading {
     const auto pixels = pixelsOf(*region.part);
     if (!pixels) return;
     wall.wall.pixels = wall.wall.window.size_px = *pixels;
+    wall.wall.window.position_px.x = nextWindow_px_;
+    nextWindow_px_ += pixels->x;
     stem_ = fmt::format("{}-{}", printable(room_.file.stem().stem().string()), rigName(room_, region.id));
-    if (profile_ != Profile::screen)
-      wall.wall.warp = warpOf(region);
+    if (profile_ != Profile::screen) wall.wall.warp = warpOf(region);
     readBlend(region, wall.wall);
     if (profile_ == Profile::screen)
       addScreen(region, std::move(wall));
@@ -167,7 +169,8 @@ class MpcdiReading {
     const std::string origin = warp.textOf("originof3DData");
     const bool isFloor = alike(origin, "floorCenter"), isEyes = alike(origin, "idealEyePoint");
     if (isFloor) room_.floor_m = 0.0;
-    if (isEyes && room_.viewers.empty()) room_.viewers.push_back({glm::dvec3(0.0), warp.at, "the ideal eye point"});
+    if (isEyes && room_.viewers.empty())
+      room_.viewers.push_back({glm::dvec3(0.0), warp.at, "the ideal eye point"});
     if (!isFloor && !isEyes)
       addWarning(room_, warp.placeOf("originof3DData"),
                  fmt::format("the origin is '{}', which says nothing of the floor: it is taken to be on it",
@@ -231,10 +234,11 @@ class MpcdiReading {
     const auto corners = profile_ == Profile::angles ? byAngles(region) : byShare(region);
     if (!corners) return;
     addWarning(room_, region.part->at,
-               fmt::format("the picture of region '{}' is right from one place only, {}: a tracked person needs the "
-                           "screen itself, which the profile a3 has",
-                           printable(region.id),
-                           profile_ == Profile::angles ? "the point of its frustum" : "which the file does not say"));
+               fmt::format(
+                   "the picture of region '{}' is right from one place only, {}: a tracked person needs the "
+                   "screen itself, which the profile a3 has",
+                   printable(region.id),
+                   profile_ == Profile::angles ? "the point of its frustum" : "which the file does not say"));
     addWall(std::move(wall), *corners, room_);
   }
 
@@ -243,7 +247,8 @@ class MpcdiReading {
     constexpr Range kAngle{.least = -89.0, .most = 89.0}, kTurn{.least = -360.0, .most = 360.0};
     const Part* frustum = region.part->find("frustum");
     if (!frustum) {
-      addError(room_, region.part->at, fmt::format("region '{}' has no frustum, expected one", printable(region.id)));
+      addError(room_, region.part->at,
+               fmt::format("region '{}' has no frustum, expected one", printable(region.id)));
       return {};
     }
     std::array<std::optional<double>, 7> angles_deg;
@@ -252,13 +257,15 @@ class MpcdiReading {
     for (std::size_t i = 0; i < kNames.size(); ++i) {
       angles_deg[i] = number(*frustum, kNames[i], i < 4 ? kAngle : kTurn, false, room_);
       if (angles_deg[i]) continue;
-      if (!frustum->find(kNames[i])) addError(room_, frustum->at, fmt::format("{} is missing in frustum", kNames[i]));
+      if (!frustum->find(kNames[i]))
+        addError(room_, frustum->at, fmt::format("{} is missing in frustum", kNames[i]));
       return {};
     }
     const auto frame = frameOf(*region.part);
     if (!frame) return {};
     if (!(*angles_deg[0] < *angles_deg[1] && *angles_deg[2] < *angles_deg[3])) {
-      addError(room_, frustum->at, "the angles leave no picture, expected left below right and down below up");
+      addError(room_, frustum->at,
+               "the angles leave no picture, expected left below right and down below up");
       return {};
     }
     // Yaw to the right, pitch upwards, roll with the left side up: SAE's order, each about the turned axes.
@@ -266,9 +273,11 @@ class MpcdiReading {
                             glm::angleAxis(glm::radians(*angles_deg[5]), glm::dvec3(1, 0, 0)) *
                             glm::angleAxis(glm::radians(-*angles_deg[6]), glm::dvec3(0, 0, 1));
     const auto corner = [&](double x_deg, double y_deg) {
-      return *frame * (turn * (kFlatAway_m * glm::dvec3(std::tan(glm::radians(x_deg)), std::tan(glm::radians(y_deg)), -1.0)));
+      return *frame * (turn * (kFlatAway_m * glm::dvec3(std::tan(glm::radians(x_deg)),
+                                                        std::tan(glm::radians(y_deg)), -1.0)));
     };
-    if (room_.viewers.empty()) room_.viewers.push_back({frame->position_m, frustum->at, "the point of the frustum"});
+    if (room_.viewers.empty())
+      room_.viewers.push_back({frame->position_m, frustum->at, "the point of the frustum"});
     return ReadCorners{corner(*angles_deg[0], *angles_deg[2]), corner(*angles_deg[1], *angles_deg[2]),
                        corner(*angles_deg[0], *angles_deg[3])};
   }
@@ -284,15 +293,17 @@ class MpcdiReading {
       for (int axis = 0; axis < 3; ++axis) {
         const std::string name = fmt::format("{}{}", kAxes[i], "xyz"[axis]);
         const auto value = number(*frame, name, kFar, false, room_);
-        if (!value && !frame->find(name)) addError(room_, frame->at, fmt::format("{} is missing in coordinateFrame", name));
+        if (!value && !frame->find(name))
+          addError(room_, frame->at, fmt::format("{} is missing in coordinateFrame", name));
         if (!value) return {};
         values[i][axis] = *value;
       }
     }
     const auto turn = rotationOf(glm::dmat3(values[2], -values[1], -values[3]));
     if (turn) return Pose{values[0], *turn};
-    addError(room_, frame->at, "the axes of coordinateFrame are no rotation, expected yaw down, pitch to the right and "
-                               "roll forward at right angles");
+    addError(room_, frame->at,
+             "the axes of coordinateFrame are no rotation, expected yaw down, pitch to the right and "
+             "roll forward at right angles");
     return {};
   }
 
@@ -308,7 +319,8 @@ class MpcdiReading {
     const auto corner = [&](double x, double y) {
       return glm::dvec3((x - 0.5) * width_m, kStandingEyes_m + (y - 0.5) * kFlatHeight_m, -kFlatAway_m);
     };
-    if (room_.viewers.empty()) room_.viewers.push_back({{0.0, kStandingEyes_m, 0.0}, region.part->at, "a viewer"});
+    if (room_.viewers.empty())
+      room_.viewers.push_back({{0.0, kStandingEyes_m, 0.0}, region.part->at, "a viewer"});
     return ReadCorners{corner(share[0], share[1]), corner(share[0] + share[2], share[1]),
                        corner(share[0], share[1] + share[3])};
   }
@@ -318,17 +330,22 @@ class MpcdiReading {
   Profile profile_;
   Room& room_;
   std::string stem_;
+  int nextWindow_px_ = 0;
 };
 
 void stateAssumptions(Profile profile, Room& room) {
-  room.assumptions.push_back("axes are x right, y up, z back, as MPCDI has them; all projectors are on one computer");
+  room.assumptions.push_back(
+      "axes are x right, y up, z back, as MPCDI has them; all projectors are on one computer, "
+      "their windows side by side");
   if (profile == Profile::screen) return;
-  room.assumptions.push_back("places in the picture count from its lower left, and rows of a PFM from the window's bottom");
+  room.assumptions.push_back(
+      "places in the picture count from its lower left, and rows of a PFM from the window's bottom");
   room.assumptions.push_back(
       profile == Profile::angles
           ? fmt::format("lengths are metres; the file gives angles: the walls stand {:g} m from their points",
                         kFlatAway_m)
-          : fmt::format("the file says nothing of the room: the picture is {:g} m high, {:g} m ahead, at the height of "
+          : fmt::format("the file says nothing of the room: the picture is {:g} m high, {:g} m ahead, at the "
+                        "height of "
                         "the eyes",
                         kFlatHeight_m, kFlatAway_m));
 }
@@ -360,10 +377,12 @@ Room readMpcdi(const std::filesystem::path& file) {
       finishRoom("a region in a buffer of a display", room, root.at);
       return room;
     }
-    addError(room, whole.placeOf("profile"),
-             alike(profile, "sl")
-                 ? std::string("the profile sl gives poses of projectors and no surface to draw on, expected a3, 3d or 2d")
-                 : fmt::format("the profile is '{}', expected a3, 3d or 2d", printable(profile)));
+    addError(
+        room, whole.placeOf("profile"),
+        alike(profile, "sl")
+            ? std::string(
+                  "the profile sl gives poses of projectors and no surface to draw on, expected a3, 3d or 2d")
+            : fmt::format("the profile is '{}', expected a3, 3d or 2d", printable(profile)));
   }
   room.viewers.push_back({});
   return room;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t kWidest_px = 16384, kMost_px = 1U << 26U;
 
-/// Throws unless the picture's header is that of a PNG of a size that can be drawn (PNG, second edition, 11.2.2).
+/// Throws unless the picture's header is that of a PNG of a size that can be drawn (PNG, second
+/// edition, 11.2.2).
 void checkSize(const std::string& png) {
   constexpr std::size_t kWidthAt = 16, kHeader = 24;
   if (png.size() < kHeader || png_sig_cmp(reinterpret_cast<png_const_bytep>(png.data()), 0, 8) != 0)
@@ -22,9 +23,10 @@ void checkSize(const std::string& png) {
   const auto* raw = reinterpret_cast<png_const_bytep>(png.data());
   const std::uint32_t width = png_get_uint_32(raw + kWidthAt), height = png_get_uint_32(raw + kWidthAt + 4);
   if (width < 1 || height < 1 || width > kWidest_px || height > kWidest_px || width > kMost_px / height)
-    throw std::runtime_error(fmt::format("the picture has {} × {} pixels, expected 1 to {} each way and at most {} in "
-                                         "all",
-                                         width, height, kWidest_px, kMost_px));
+    throw std::runtime_error(
+        fmt::format("the picture has {} × {} pixels, expected 1 to {} each way and at most {} in "
+                    "all",
+                    width, height, kWidest_px, kMost_px));
 }
 
 /// What libpng's simplified interface holds.

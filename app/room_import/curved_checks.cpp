@@ -39,7 +39,8 @@ std::string wordsForSky(const RoomWall& wall) {
 /// Returns the mesh of a flat wall.
 ScreenMesh flatMesh(const Wall& wall) {
   const auto corners = cornersOf(wall);
-  const ScreenPoint a{{0, 0}, corners[0]}, b{{1, 0}, corners[1]}, c{{1, 1}, corners[2]}, d{{0, 1}, corners[3]};
+  const ScreenPoint a{{0, 0}, corners[0]}, b{{1, 0}, corners[1]}, c{{1, 1}, corners[2]},
+      d{{0, 1}, corners[3]};
   return {{a, b, c}, {a, c, d}};
 }
 
@@ -51,11 +52,11 @@ glm::dvec3 nearestOn(const std::array<ScreenPoint, 2>& segment, const glm::dvec3
   return segment[0].inRoom_m + std::clamp(at, 0.0, 1.0) * along;
 }
 
-/// Returns by how much a screen misses another at its own rim, where both rims run side by side: how far it is
-/// from the other's rim, or, where the other is before or behind it, from the other's surface.
+/// Returns by how much a screen misses another at its own rim, where both rims run side by side: how far it
+/// is from the other's rim, or, where the other is before or behind it, from the other's surface.
 double rimsMiss_m(const ScreenEnd& screen, const ScreenEnd& other, const glm::dvec3& eyes_m) {
   constexpr std::size_t kSamples = 200;
-  constexpr double kAlong = 0.985;  // cosine of 10 degrees
+  constexpr double kAlong = 0.985;                   // cosine of 10 degrees
   constexpr double kBeyond = 0.3, kBeyond_m = 5e-4;  // where one rim goes on as the other, they miss nothing
   double worst_m = 0.0;
   const std::size_t step = std::max<std::size_t>(1, screen.rim.size() / kSamples);
@@ -95,10 +96,11 @@ void judgeCurved(const RoomWall& wall, Verdict& verdict) {
     return;
   }
   if (facts.isMirrored) {
-    verdict.warn(wall.at.wall,
-                 fmt::format("the window of wall '{}' runs mirrored over its screen, as for projection from behind: "
-                             "expected that its left is on the left as {} looks at it",
-                             name, viewer.words));
+    verdict.warn(
+        wall.at.wall,
+        fmt::format("the window of wall '{}' runs mirrored over its screen, as for projection from behind: "
+                    "expected that its left is on the left as {} looks at it",
+                    name, viewer.words));
   }
   const double incidence_deg = facts.mostIncidence_rad * kRadian;
   if (incidence_deg > kMostIncidence_deg) {
@@ -123,7 +125,8 @@ void judgeCurved(const RoomWall& wall, Verdict& verdict) {
                     name, wall.wall.screen->slide_px, kMostSlide_px));
   }
   // A dome's circle leaves so much of a square.
-  const double circle = std::holds_alternative<DomeScreen>(wall.wall.screen->shape) ? std::numbers::pi / 4.0 : 1.0;
+  const double circle =
+      std::holds_alternative<DomeScreen>(wall.wall.screen->shape) ? std::numbers::pi / 4.0 : 1.0;
   if (facts.covered < kLeastCovered * circle) {
     verdict.warn(wall.at.window,
                  fmt::format("only {:.0f} % of the window of wall '{}' show screen, expected {:.0f} % at "
@@ -133,9 +136,8 @@ void judgeCurved(const RoomWall& wall, Verdict& verdict) {
 }
 
 std::vector<ScreenEnd> screenEndsOf(const Room& room) {
-  const bool isCurved = std::any_of(room.walls.begin(), room.walls.end(), [](const RoomWall& wall) {
-    return wall.wall.screen && !wall.wall.sky;
-  });
+  const bool isCurved = std::any_of(room.walls.begin(), room.walls.end(),
+                                    [](const RoomWall& wall) { return wall.wall.screen && !wall.wall.sky; });
   if (!isCurved) return {};
   std::vector<ScreenEnd> ends;
   for (const RoomWall& wall : room.walls) {
@@ -154,9 +156,10 @@ void judgeRims(const RoomWall& a, const RoomWall& b, const ScreenEnd& endA, cons
   const glm::dvec3& eyes_m = verdict.room.viewerOf(b.wall).eyes_m;
   const double miss_m = std::max(rimsMiss_m(endA, endB, eyes_m), rimsMiss_m(endB, endA, eyes_m));
   if (miss_m <= kMeet_m) return;
-  verdict.warn(b.at.wall, fmt::format("the rims of walls '{}' and '{}' miss each other by {:.1f} mm where they should "
-                                      "meet, expected at most {:.0f} mm",
-                                      a.wall.name, b.wall.name, mm(miss_m), mm(kMeet_m)));
+  verdict.warn(b.at.wall,
+               fmt::format("the rims of walls '{}' and '{}' miss each other by {:.1f} mm where they should "
+                           "meet, expected at most {:.0f} mm",
+                           a.wall.name, b.wall.name, mm(miss_m), mm(kMeet_m)));
 }
 
 Wall chordOf(const Wall& wall) {
@@ -164,7 +167,8 @@ Wall chordOf(const Wall& wall) {
   for (const ScreenTriangle& t : wall.screen->mesh) {
     const double side = windowArea(t) < 0.0 ? -1.0 : 1.0;
     area += side * glm::cross(t[1].inRoom_m - t[0].inRoom_m, t[2].inRoom_m - t[0].inRoom_m);
-    middle_m += (t[0].inRoom_m + t[1].inRoom_m + t[2].inRoom_m) / (3.0 * static_cast<double>(wall.screen->mesh.size()));
+    middle_m += (t[0].inRoom_m + t[1].inRoom_m + t[2].inRoom_m) /
+                (3.0 * static_cast<double>(wall.screen->mesh.size()));
   }
   const glm::dvec3 normal = glm::normalize(area);
   const glm::dvec3 right = glm::normalize(

@@ -24,7 +24,7 @@ struct ScreenEnd {
 /// Returns those of all walls; none at all in a room without curved screens.
 std::vector<ScreenEnd> screenEndsOf(const Room& room);
 
-/// Checks whether two walls, of which one is curved, meet where their rims run side by side.
+/// Checks whether two walls, of which one is curved, meet at their rims.
 void judgeRims(const RoomWall& a, const RoomWall& b, const ScreenEnd& endA, const ScreenEnd& endB,
                Verdict& verdict);
 

@@ -40,7 +40,8 @@ class RigFiles {
  public:
   RigFiles(const std::filesystem::path& rig, const Room& room) {
     if (!room.files.empty() && rig == "-")
-      throw std::runtime_error("the rig needs files beside it, expected the name of a file for it instead of -");
+      throw std::runtime_error(
+          "the rig needs files beside it, expected the name of a file for it instead of -");
     std::error_code failed;
     for (const RoomFile& file : room.files) {
       const std::filesystem::path path = rig.parent_path() / file.name;

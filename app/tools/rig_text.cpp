@@ -168,10 +168,11 @@ std::string shapeText(const Room& room, const SkyText& text) {
 
 std::string shapeText(const Room& room, const MeasuredScreen& screen) {
   const bool isTurned = !isIdentity(screen.roomFromScreen);
-  return fmt::format("shape = \"{}\", file = {}, unit = \"{}\"{}{}", screen.isGrid ? "grid" : "mesh",
-                     tomlText(screen.file.filename().string()), unitName(screen.unit_m),
-                     screen.isGrid && screen.rows == GridRows::fromTop ? ", rows = \"top\"" : "",
-                     isTurned ? fmt::format(", room_from_screen = {}", poseIn(room, screen.roomFromScreen)) : "");
+  return fmt::format(
+      "shape = \"{}\", file = {}, unit = \"{}\"{}{}", screen.isGrid ? "grid" : "mesh",
+      tomlText(screen.file.filename().string()), unitName(screen.unit_m),
+      screen.isGrid && screen.rows == GridRows::fromTop ? ", rows = \"top\"" : "",
+      isTurned ? fmt::format(", room_from_screen = {}", poseIn(room, screen.roomFromScreen)) : "");
 }
 
 /// Returns the screen of a wall that a reader has made of a formula or a file.

@@ -51,11 +51,11 @@ Warp parseCsvWarp(std::string_view content) {
                       expectedRow = columns == 0 ? 0 : at / columns;
     if (column != expectedColumn || row != expectedRow)
       meshFault(lines.lineNumber(), 1,
-                fmt::format("the point is of column {}, row {}, expected column {}, row {}: row by row", column,
-                            row, expectedColumn, expectedRow));
+                fmt::format("the point is of column {}, row {}, expected column {}, row {}: row by row",
+                            column, row, expectedColumn, expectedRow));
     lines.endLine();
-    mesh.points.push_back(
-        {.inWindow = glm::vec2(values[0], 1.0 - values[1]), .inPicture = glm::vec2(values[2], 1.0 - values[3])});
+    mesh.points.push_back({.inWindow = glm::vec2(values[0], 1.0 - values[1]),
+                           .inPicture = glm::vec2(values[2], 1.0 - values[3])});
   }
   const std::size_t rows = columns == 0 ? 1 : mesh.points.size() / columns;
   if (columns < 2 || rows < 2 || mesh.points.size() != columns * rows)

@@ -19,7 +19,8 @@ namespace {
 
 void putInRoom(ScreenMesh& mesh, const MeasuredScreen& measured) {
   for (ScreenTriangle& triangle : mesh) {
-    for (ScreenPoint& point : triangle) point.inRoom_m = measured.roomFromScreen * (measured.unit_m * point.inRoom_m);
+    for (ScreenPoint& point : triangle)
+      point.inRoom_m = measured.roomFromScreen * (measured.unit_m * point.inRoom_m);
   }
 }
 
@@ -105,7 +106,8 @@ Made madeOf(ScreenGrid grid, const MeasuredScreen& measured, const MeasuredWishe
   if (!large.empty()) throw std::runtime_error(large);
   std::vector<glm::dvec3> eyes_m = eyesBefore(placesOf(grid), facingOf(grid), wishes);
   ScreenMesh mesh = meshOf(grid, wishes.window_px, eyes_m).mesh;
-  if (mesh.empty()) throw std::runtime_error("the grid is too ragged or rough to be drawn, expected a smoother one");
+  if (mesh.empty())
+    throw std::runtime_error("the grid is too ragged or rough to be drawn, expected a smoother one");
   return {std::move(mesh), std::move(eyes_m)};
 }
 
@@ -117,8 +119,8 @@ CurvedScreen screenOf(const MeasuredScreen& measured, const MeasuredWishes& wish
     Made made = std::visit([&](auto& given) { return madeOf(std::move(given), measured, wishes); }, places);
     const std::string fold = foldIn(made.mesh);
     if (!fold.empty()) throw std::runtime_error(fold);
-    CurvedScreen screen = curvedScreen(std::move(made.mesh), {wishes.window_px, wishes.texelsPerPixel,
-                                                              wishes.sagitta_m, made.eyes_m});
+    CurvedScreen screen = curvedScreen(
+        std::move(made.mesh), {wishes.window_px, wishes.texelsPerPixel, wishes.sagitta_m, made.eyes_m});
     screen.shape = measured;
     return screen;
   } catch (const std::runtime_error& fault) {

@@ -21,8 +21,8 @@ struct MeasuredWishes {
 
 /// Returns the screen; without pieces, it cannot be drawn on so few flat walls. It is made for somebody who
 /// walks about the room's origin, or, where the origin is behind the screen, before its middle. Throws
-/// std::runtime_error, with the file's name and a place, if the file cannot be read, or if the mesh folds over
-/// itself or has a cell larger than a metre.
+/// std::runtime_error, with the file's name and a place, if the file cannot be read, or if the mesh folds
+/// over itself or has a cell larger than a metre.
 CurvedScreen screenOf(const MeasuredScreen& measured, const MeasuredWishes& wishes);
 
 }  // namespace carom

@@ -11,8 +11,8 @@ namespace carom {
 std::string_view MeshBytes::take(std::size_t bytes) {
   if (at_ > content_.size() || content_.size() - at_ < bytes)
     meshFault(1, 1,
-              fmt::format("the file has {} bytes and ends early, expected {} more at byte {}", content_.size(),
-                          bytes, at_));
+              fmt::format("the file has {} bytes and ends early, expected {} more at byte {}",
+                          content_.size(), bytes, at_));
   at_ += bytes;
   return content_.substr(at_ - bytes, bytes);
 }

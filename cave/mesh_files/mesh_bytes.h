@@ -7,8 +7,8 @@
 
 namespace carom {
 
-/// Little-endian numbers from the beginning of a text. Throws std::runtime_error, "1:1: …, at byte N", where it
-/// ends too early.
+/// Little-endian numbers from the beginning of a text. Throws std::runtime_error, "1:1: …, at byte N", where
+/// it ends too early.
 class MeshBytes {
  public:
   explicit MeshBytes(std::string_view content, std::size_t at = 0) : content_(content), at_(at) {}

@@ -99,12 +99,12 @@ class ObjReader {
                             file_.inPicture.size()));
     }
     if (file_.triangles.empty()) meshFault(1, 1, "there is no f, expected a triangle at least");
-    for (const auto& [largest, count] : {std::pair(largest_, file_.points.size()),
-                                         std::pair(largestInPicture_, file_.inPicture.size())}) {
+    for (const auto& [largest, count] :
+         {std::pair(largest_, file_.points.size()), std::pair(largestInPicture_, file_.inPicture.size())}) {
       if (largest.index > count)
-        meshFault(largest.line, 1,
-                  fmt::format("corner {} is none of the {} points, expected one of them", largest.index,
-                              count));
+        meshFault(
+            largest.line, 1,
+            fmt::format("corner {} is none of the {} points, expected one of them", largest.index, count));
     }
   }
 

@@ -24,11 +24,11 @@ struct ObjFile {
 
 /// What a file may have.
 struct ObjWishes {
-  int coordinates = 3;          ///< of `v` that are read: 2 or 3; what follows them is not
-  double farthest = 1e9;        ///< of `v`, in magnitude
+  int coordinates = 3;              ///< of `v` that are read: 2 or 3; what follows them is not
+  double farthest = 1e9;            ///< of `v`, in magnitude
   double farthestInPicture = 16.0;  ///< of `vt`
-  bool isPaired = false;        ///< each corner has one number for `v` and `vt`; else it needs both
-  std::size_t mostPoints = 0;   ///< `v`, and as many `vt`; twice as many triangles
+  bool isPaired = false;            ///< each corner has one number for `v` and `vt`; else it needs both
+  std::size_t mostPoints = 0;       ///< `v`, and as many `vt`; twice as many triangles
 };
 
 /// Reads `v`, `vt` and `f`, a convex polygon; corners count from 1. Passes over what else OBJ has. Throws

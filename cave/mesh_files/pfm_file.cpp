@@ -16,7 +16,8 @@ glm::vec3 PfmGrid::point(std::size_t column, std::size_t row) const {
   glm::vec3 values;
   for (int part = 0; part < 3; ++part) {
     std::array<char, 4> raw{};
-    std::memcpy(raw.data(), bytes.data() + byteOf(column, row, static_cast<std::size_t>(part)) - at, raw.size());
+    std::memcpy(raw.data(), bytes.data() + byteOf(column, row, static_cast<std::size_t>(part)) - at,
+                raw.size());
     if (isBigEndian != (std::endian::native == std::endian::big)) std::reverse(raw.begin(), raw.end());
     values[part] = std::bit_cast<float>(raw);
   }
@@ -58,9 +59,10 @@ PfmGrid parsePfm(std::string_view content, bool twoEyes, std::size_t mostPoints)
   grid.at = content.size() - grid.bytes.size();
   // The product cannot overflow: each factor is at most mostPoints, under 2^25.
   if (const std::size_t needed = 12 * grid.columns * grid.rows; grid.bytes.size() != needed) {
-    meshFault(1, 1,
-              fmt::format("{} × {} points take {} bytes behind the header, but there are {}, expected it whole",
-                          grid.columns, grid.rows, needed, grid.bytes.size()));
+    meshFault(
+        1, 1,
+        fmt::format("{} × {} points take {} bytes behind the header, but there are {}, expected it whole",
+                    grid.columns, grid.rows, needed, grid.bytes.size()));
   }
   return grid;
 }

@@ -20,8 +20,9 @@ constexpr double kFarthest = 1e9;  // in the file's unit
 
 void requireCells(const ScreenGrid& grid) {
   if (hasCell(grid)) return;
-  meshFault(1, 1, fmt::format("no four neighbours of the {} × {} points are on a screen, expected some",
-                              grid.columns, grid.rows));
+  meshFault(1, 1,
+            fmt::format("no four neighbours of the {} × {} points are on a screen, expected some",
+                        grid.columns, grid.rows));
 }
 
 MeasuredPlaces parsed(const std::string& ending, const std::string& content, GridRows rows) {
@@ -29,8 +30,10 @@ MeasuredPlaces parsed(const std::string& ending, const std::string& content, Gri
   if (ending == ".pfm") return parsePfmScreen(content, rows);
   const VwfFile file = parseVwf(content);
   if (!file.isScreen)
-    meshFault(1, 1, "the file has no screen (flag 0x40), only the warp of a flat picture, expected a screen: the key "
-                    "warp takes it");
+    meshFault(
+        1, 1,
+        "the file has no screen (flag 0x40), only the warp of a flat picture, expected a screen: the key "
+        "warp takes it");
   ScreenGrid grid = screenGridOf(file);
   requireCells(grid);
   return grid;
@@ -48,7 +51,9 @@ ScreenMesh parseObjScreen(std::string_view content) {
   for (std::size_t i = 0; i < file.inPicture.size(); ++i) {
     const glm::dvec2& place = file.inPicture[i];
     if (place.x < -kBesideWindow || place.y < -kBesideWindow)
-      meshFault(1, 1, fmt::format("vt {} is {:g} {:g}, outside the window, expected 0 to 1", i + 1, place.x, place.y));
+      meshFault(
+          1, 1,
+          fmt::format("vt {} is {:g} {:g}, outside the window, expected 0 to 1", i + 1, place.x, place.y));
   }
   ScreenMesh mesh;
   for (const auto& triangle : file.triangles) {
@@ -58,15 +63,18 @@ ScreenMesh parseObjScreen(std::string_view content) {
     if (windowArea(cell) == 0.0) mesh.pop_back();
   }
   if (mesh.size() < 2)
-    meshFault(1, 1, fmt::format("there are {} triangles that the window shows, expected two at least", mesh.size()));
+    meshFault(
+        1, 1,
+        fmt::format("there are {} triangles that the window shows, expected two at least", mesh.size()));
   return mesh;
 }
 
 ScreenGrid parsePfmScreen(std::string_view content, GridRows rows) {
   const PfmGrid file = parsePfm(content, false, kMostGridPoints);
   if (file.columns * file.rows > kMostGridPoints)
-    meshFault(2, 1, fmt::format("the grid has {} points, expected at most {}", file.columns * file.rows,
-                                kMostGridPoints));
+    meshFault(2, 1,
+              fmt::format("the grid has {} points, expected at most {}", file.columns * file.rows,
+                          kMostGridPoints));
   ScreenGrid grid{static_cast<int>(file.columns), static_cast<int>(file.rows), {}};
   grid.places.reserve(file.columns * file.rows);
   for (std::size_t i = 0; i < file.rows; ++i) {
@@ -76,9 +84,11 @@ ScreenGrid parsePfmScreen(std::string_view content, GridRows rows) {
       const bool isThere = std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
       for (int part = 0; isThere && part < 3; ++part) {
         if (std::abs(point[part]) > kFarthest)
-          meshFault(1, 1, fmt::format("point ({}, {}) has {:g}, at byte {}, expected a number from {:g} to {:g}", column,
-                                      row, point[part],
-                                      file.byteOf(column, row, static_cast<std::size_t>(part)), -kFarthest, kFarthest));
+          meshFault(
+              1, 1,
+              fmt::format("point ({}, {}) has {:g}, at byte {}, expected a number from {:g} to {:g}", column,
+                          row, point[part], file.byteOf(column, row, static_cast<std::size_t>(part)),
+                          -kFarthest, kFarthest));
       }
       grid.places.push_back(isThere ? point : glm::vec3(std::numeric_limits<float>::quiet_NaN()));
     }
@@ -104,7 +114,7 @@ bool hasBlend(const std::filesystem::path& file) {
   try {
     return !parseVwf(contentOf(file, InputKind::screenGrid)).blend.empty();
   } catch (const std::runtime_error&) {
-    return false;  // the reader of its places names what is wrong
+    return false;  // readScreenFile or readWarp says why
   }
 }
 

@@ -13,12 +13,12 @@ namespace carom {
 /// The places of a screen as a file gives them, in the file's unit and axes.
 using MeasuredPlaces = std::variant<ScreenMesh, ScreenGrid>;
 
-/// Points of a mesh or grid, at most. A window of 4096 × 2160 pixels has so many.
+/// Points of a mesh or grid, at most: a window of 4096 × 2160 pixels has nine millions.
 inline constexpr std::size_t kMostMeshPoints = 1'000'000, kMostGridPoints = 10'000'000;
 
-/// Wavefront OBJ (InputKind::screenMesh): `v` x y z are places of the screen, `vt` places in the window, 0 to 1
-/// from its lower left; each corner of a face has both. Throws std::runtime_error, "LINE:COLUMN: …", also for
-/// NaN, a place outside the window, and fewer than two triangles.
+/// Wavefront OBJ (InputKind::screenMesh): `v` x y z are places of the screen, `vt` places in the window, 0 to
+/// 1 from its lower left; each corner of a face has both. Throws std::runtime_error, "LINE:COLUMN: …", also
+/// for NaN, a place outside the window, and fewer than two triangles.
 ScreenMesh parseObjScreen(std::string_view content);
 
 /// PFM (InputKind::screenGrid): x y z of the screen at the middles of the cells of a grid over the window; a
@@ -26,8 +26,8 @@ ScreenMesh parseObjScreen(std::string_view content);
 /// in the MPCDI format and in pictures of this kind, or its uppermost.
 ScreenGrid parsePfmScreen(std::string_view content, GridRows rows);
 
-/// Returns the places in the file of a screen, which ends in .obj, or in .pfm or .vwf. Throws std::runtime_error,
-/// "FILE:LINE:COLUMN: what is wrong, what was expected".
+/// Returns the places in the file of a screen, which ends in .obj, or in .pfm or .vwf. Throws
+/// std::runtime_error, "FILE:LINE:COLUMN: what is wrong, what was expected".
 MeasuredPlaces readScreenFile(const MeasuredScreen& screen);
 
 /// Returns whether a file ends in .vwf and has a blend.

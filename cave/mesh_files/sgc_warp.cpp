@@ -20,8 +20,9 @@ WarpPoint pointOf(MeshBytes& bytes, std::size_t index) {
     const std::size_t at = bytes.at();
     value = bytes.number();
     if (!(std::abs(value) <= kFarthestInWindow))
-      meshFault(1, 1, fmt::format("vertex {} has {}, at byte {}, expected a number from {} to {}", index, value,
-                                  at, -kFarthestInWindow, kFarthestInWindow));
+      meshFault(1, 1,
+                fmt::format("vertex {} has {}, at byte {}, expected a number from {} to {}", index, value, at,
+                            -kFarthestInWindow, kFarthestInWindow));
   }
   return {.inWindow = {values[0], 1.0F - values[1]}, .inPicture = {values[3], values[4]}};
 }
@@ -55,10 +56,11 @@ Warp parseSgcWarp(std::string_view content) {
   // The product cannot overflow: each factor is under 2^32.
   const std::size_t count = isGrid ? columns * second : second;
   if ((isGrid && (columns < 2 || second < 2)) || count < 3 || count > bytes.left() / kVertex_bytes)
-    meshFault(1, 1,
-              fmt::format("{} vertices are told at byte 52, and {} bytes follow, expected as many vertices of {} "
-                          "bytes, in two rows and columns at least",
-                          count, bytes.left(), kVertex_bytes));
+    meshFault(
+        1, 1,
+        fmt::format("{} vertices are told at byte 52, and {} bytes follow, expected as many vertices of {} "
+                    "bytes, in two rows and columns at least",
+                    count, bytes.left(), kVertex_bytes));
   WarpMesh mesh;
   mesh.points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) mesh.points.push_back(pointOf(bytes, i));
@@ -71,8 +73,9 @@ Warp parseSgcWarp(std::string_view content) {
   for (std::size_t i = 0; i < indexCount; ++i) {
     indices.push_back(bytes.whole());
     if (indices.back() >= count)
-      meshFault(1, 1, fmt::format("index {} at byte {} is none of the {} vertices, expected one of them",
-                                  indices.back(), bytes.at() - kIndex_bytes, count));
+      meshFault(1, 1,
+                fmt::format("index {} at byte {} is none of the {} vertices, expected one of them",
+                            indices.back(), bytes.at() - kIndex_bytes, count));
   }
   if (isGrid)
     addGridTriangles(columns, second, mesh);  // its indices are strips of the same cells

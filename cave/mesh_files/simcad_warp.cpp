@@ -18,7 +18,7 @@ namespace {
 /// The offsets along one axis.
 struct Offsets {
   std::string_view name;
-  std::string range, numbers;  ///< as they stand in the file
+  std::string range, numbers;        ///< as they stand in the file
   std::size_t line = 0, column = 0;  ///< 0: there are none
 };
 
@@ -41,7 +41,8 @@ void begin(void* user, const XML_Char* name, const XML_Char** attributes) {
   auto& noted = *static_cast<Noted*>(user);
   for (Offsets& offsets : noted.offsets) {
     if (offsets.name != name) continue;
-    if (offsets.line != 0 || noted.open) return stop(noted, fmt::format("<{}> is here again, expected one", name));
+    if (offsets.line != 0 || noted.open)
+      return stop(noted, fmt::format("<{}> is here again, expected one", name));
     offsets.line = XML_GetCurrentLineNumber(noted.parser);
     offsets.column = XML_GetCurrentColumnNumber(noted.parser) + 1;
     for (std::size_t i = 0; attributes[i]; i += 2)
@@ -67,7 +68,7 @@ void refuseDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*
 Noted notedIn(std::string_view content) {
   Noted noted;
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(XML_ParserCreate(nullptr),
-                                                                           &XML_ParserFree);
+                                                                            &XML_ParserFree);
   noted.parser = parser.get();
   XML_SetUserData(parser.get(), &noted);
   XML_SetElementHandler(parser.get(), begin, end);
@@ -84,8 +85,11 @@ Noted notedIn(std::string_view content) {
 /// Returns the offsets as shares of the window.
 std::vector<double> sharesOf(const Offsets& offsets) {
   constexpr double kWidest = 1e6;
-  const auto fault = [&](const std::string& why) { meshFault(std::max<std::size_t>(offsets.line, 1), std::max<std::size_t>(offsets.column, 1), why); };
-  if (offsets.line == 0) fault(fmt::format("there is no <{}>, expected a GeometryFile of SimCAD", offsets.name));
+  const auto fault = [&](const std::string& why) {
+    meshFault(std::max<std::size_t>(offsets.line, 1), std::max<std::size_t>(offsets.column, 1), why);
+  };
+  if (offsets.line == 0)
+    fault(fmt::format("there is no <{}>, expected a GeometryFile of SimCAD", offsets.name));
   const auto range = numberIn(offsets.range);
   if (!range || !(*range >= 1.0 && *range <= kWidest))
     fault(fmt::format("<{}> has no range, expected one from 1 to {:g}", offsets.name, kWidest));
@@ -117,8 +121,8 @@ Warp parseSimcadWarp(std::string_view content) {
   for (std::size_t i = 0; i < right.size(); ++i) {
     const double x = static_cast<double>(i % across) / static_cast<double>(across - 1),
                  y = static_cast<double>(i / across) / static_cast<double>(across - 1);
-    mesh.points.push_back({.inWindow = glm::vec2(x + right[i], 1.0 - (y + down[i])),
-                           .inPicture = glm::vec2(x, 1.0 - y)});
+    mesh.points.push_back(
+        {.inWindow = glm::vec2(x + right[i], 1.0 - (y + down[i])), .inPicture = glm::vec2(x, 1.0 - y)});
   }
   addGridTriangles(across, across, mesh);
   return {mesh, mesh};

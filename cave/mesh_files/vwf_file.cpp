@@ -34,7 +34,8 @@ std::size_t displayAt(std::string_view content) {
   MeshBytes bytes(content, 4);
   const std::uint32_t displays = bytes.whole(), offset = bytes.whole();
   if (displays != 1)
-    meshFault(1, 1, fmt::format("the file has {} displays, at byte 4, expected one: a file for each", displays));
+    meshFault(1, 1,
+              fmt::format("the file has {} displays, at byte 4, expected one: a file for each", displays));
   constexpr std::uint32_t kContainer_bytes = 16;
   return offset == 0 ? kContainer_bytes : offset;
 }
@@ -51,11 +52,13 @@ Header headerAt(std::string_view content, std::size_t at) {
   header.columns = bytes.whole();
   header.rows = bytes.whole();
   if (header.bytes < kHeader_bytes || header.bytes > content.size() - at)
-    meshFault(1, 1, fmt::format("the header has {} bytes, at byte {}, expected {} at least, in the file",
-                                header.bytes, at + 4, kHeader_bytes));
+    meshFault(1, 1,
+              fmt::format("the header has {} bytes, at byte {}, expected {} at least, in the file",
+                          header.bytes, at + 4, kHeader_bytes));
   if (header.columns < 2 || header.rows < 2 || header.columns > kMost_px || header.rows > kMost_px)
-    meshFault(1, 1, fmt::format("the grid has {} × {} points, at byte {}, expected 2 to {} each way",
-                                header.columns, header.rows, at + 20, kMost_px));
+    meshFault(1, 1,
+              fmt::format("the grid has {} × {} points, at byte {}, expected 2 to {} each way",
+                          header.columns, header.rows, at + 20, kMost_px));
   return header;
 }
 
@@ -64,15 +67,17 @@ std::string unpacked(std::string_view packed, std::size_t needed, std::size_t at
   constexpr std::size_t kMostRatio = 1032;  // of deflate (RFC 1951)
   const std::uintmax_t most = limitOf(InputKind::screenGrid).most_MiB << 20U;
   if (needed > most || needed / kMostRatio > packed.size())
-    meshFault(1, 1, fmt::format("the points take {} bytes, which {} bytes at byte {} cannot hold, expected {} at "
-                                "most",
-                                needed, packed.size(), at, most));
+    meshFault(1, 1,
+              fmt::format("the points take {} bytes, which {} bytes at byte {} cannot hold, expected {} at "
+                          "most",
+                          needed, packed.size(), at, most));
   std::string points(needed, '\0');
   uLongf length = needed;
   if (uncompress(reinterpret_cast<Bytef*>(points.data()), &length,
                  reinterpret_cast<const Bytef*>(packed.data()), packed.size()) != Z_OK ||
       length != needed)
-    meshFault(1, 1, fmt::format("the packed points at byte {} are broken, expected {} bytes of them", at, needed));
+    meshFault(1, 1,
+              fmt::format("the packed points at byte {} are broken, expected {} bytes of them", at, needed));
   return points;
 }
 
@@ -84,15 +89,17 @@ std::vector<glm::vec3> pointsIn(std::string_view raw, const Header& header) {
   MeshBytes bytes(raw);
   for (std::size_t i = 0; i < raw.size() / kPoint_bytes; ++i) {
     const float x = bytes.number(), y = bytes.number(), z = bytes.number(), w = bytes.number();
-    const bool isThere = (isScreen ? w : z) > 0.0F && std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
+    const bool isThere =
+        (isScreen ? w : z) > 0.0F && std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
     if (!isThere) {
       points.emplace_back(kNone);
       continue;
     }
     const float farthest = isScreen ? kFarthest : static_cast<float>(kFarthestInWindow);
     if (std::max({std::abs(x), std::abs(y), isScreen ? std::abs(z) : 0.0F}) > farthest)
-      meshFault(1, 1, fmt::format("point ({}, {}) is {:g}, {:g}, {:g}, expected numbers from {:g} to {:g}",
-                                  i % header.columns, i / header.columns, x, y, z, -farthest, farthest));
+      meshFault(1, 1,
+                fmt::format("point ({}, {}) is {:g}, {:g}, {:g}, expected numbers from {:g} to {:g}",
+                            i % header.columns, i / header.columns, x, y, z, -farthest, farthest));
     points.emplace_back(x, y, isScreen ? z : 0.0F);
   }
   return points;
@@ -100,7 +107,8 @@ std::vector<glm::vec3> pointsIn(std::string_view raw, const Header& header) {
 
 std::uint16_t codeOf(double share) {
   constexpr double kMost = 65535.0;
-  return static_cast<std::uint16_t>(std::lround(kMost * std::clamp(std::isnan(share) ? 0.0 : share, 0.0, 1.0)));
+  return static_cast<std::uint16_t>(
+      std::lround(kMost * std::clamp(std::isnan(share) ? 0.0 : share, 0.0, 1.0)));
 }
 
 /// Reads the blend of a pixel of the window each: RGBA from its top.
@@ -141,12 +149,14 @@ void readBitmap(MeshBytes bytes, VwfFile& file) {
   const std::uint32_t pixel = depth / 8;
   if (width < 1 || height < 1 || width > kMost_px || height > kMost_px || (depth != 24 && depth != 32) ||
       (packing != 0 && packing != 3))
-    meshFault(1, 1, fmt::format("the blend at byte {} has {} × {} pixels of {} bits, packed by {}, expected a BMP "
-                                "of 24 or 32 bits, not packed, of at most {} pixels each way",
-                                begin, width, height, depth, packing, kMost_px));
+    meshFault(1, 1,
+              fmt::format("the blend at byte {} has {} × {} pixels of {} bits, packed by {}, expected a BMP "
+                          "of 24 or 32 bits, not packed, of at most {} pixels each way",
+                          begin, width, height, depth, packing, kMost_px));
   const std::size_t row_bytes = (static_cast<std::size_t>(width) * pixel + 3) / 4 * 4;
   const std::size_t read = bytes.at() - begin;
-  if (data < read) meshFault(1, 1, fmt::format("the blend's pixels begin at its byte {}, expected {} or more", data, read));
+  if (data < read)
+    meshFault(1, 1, fmt::format("the blend's pixels begin at its byte {}, expected {} or more", data, read));
   bytes.take(data - read);
   const std::string_view pixels = bytes.take(row_bytes * height);
   file.blend_px = {static_cast<int>(width), static_cast<int>(height)};
@@ -169,11 +179,13 @@ VwfFile parseVwf(std::string_view content) {
   MeshBytes bytes(content, at + header.bytes);
   const std::size_t needed = kPoint_bytes * header.columns * header.rows;
   const std::size_t told = (header.flags & kZipped) != 0 ? header.data_bytes : needed;
-  if (told > bytes.left() || ((header.flags & kZipped) == 0 && header.data_bytes != 0 && header.data_bytes < needed))
-    meshFault(1, 1,
-              fmt::format("{} × {} points take {} bytes at byte {}, but {} are told and {} follow, expected them "
-                          "whole",
-                          header.columns, header.rows, told, bytes.at(), header.data_bytes, bytes.left()));
+  if (told > bytes.left() ||
+      ((header.flags & kZipped) == 0 && header.data_bytes != 0 && header.data_bytes < needed))
+    meshFault(
+        1, 1,
+        fmt::format("{} × {} points take {} bytes at byte {}, but {} are told and {} follow, expected them "
+                    "whole",
+                    header.columns, header.rows, told, bytes.at(), header.data_bytes, bytes.left()));
   const std::size_t pointsAt = bytes.at();
   const std::string_view stored = bytes.take(told);
   VwfFile file;
@@ -193,14 +205,17 @@ VwfFile parseVwf(std::string_view content) {
 
 Warp warpOf(const VwfFile& file) {
   if (file.isScreen)
-    meshFault(1, 1, "the file has a screen (flag 0x40), expected a warp: screen = { shape = \"grid\", file = … } takes "
-                    "it");
+    meshFault(
+        1, 1,
+        "the file has a screen (flag 0x40), expected a warp: screen = { shape = \"grid\", file = … } takes "
+        "it");
   WarpMesh mesh;
   mesh.points.reserve(file.points.size());
   for (int row = 0; row < file.rows; ++row) {
     for (int column = 0; column < file.columns; ++column) {
-      const glm::vec3& point = file.points[static_cast<std::size_t>(row) * static_cast<std::size_t>(file.columns) +
-                                           static_cast<std::size_t>(column)];
+      const glm::vec3& point =
+          file.points[static_cast<std::size_t>(row) * static_cast<std::size_t>(file.columns) +
+                      static_cast<std::size_t>(column)];
       const bool isThere = !std::isnan(point.x);
       const glm::vec2 inWindow((static_cast<float>(column) + 0.5F) / static_cast<float>(file.columns),
                                1.0F - (static_cast<float>(row) + 0.5F) / static_cast<float>(file.rows));
@@ -237,7 +252,8 @@ std::string vwfOf(const glm::ivec2& size, const std::vector<glm::vec2>& inPictur
   bytes.resize(kHeader, '\0');
   for (const glm::vec2& place : inPicture) {
     const bool isThere = !std::isnan(place.x) && !std::isnan(place.y);
-    for (const float value : {isThere ? place.x : 0.0F, isThere ? place.y : 0.0F, isThere ? 1.0F : 0.0F, 0.0F})
+    for (const float value :
+         {isThere ? place.x : 0.0F, isThere ? place.y : 0.0F, isThere ? 1.0F : 0.0F, 0.0F})
       put(std::bit_cast<std::uint32_t>(value));
   }
   return bytes;

@@ -19,16 +19,16 @@ namespace carom {
 struct VwfFile {
   int columns = 0, rows = 0;
   bool isScreen = false;  ///< its points are of a screen (flag 0x40); else of a picture
-  /// From the window's top. Of a screen x, y, z in the file's unit; of a picture u, v from its upper left; NaN
-  /// where there is none.
+  /// From the window's top. Of a screen x, y, z in the file's unit; of a picture u, v from its upper left;
+  /// NaN where there is none.
   std::vector<glm::vec3> points;
   /// Shares of light, RGB, 0 to 65535, from the window's bottom; empty: the file has none.
   glm::ivec2 blend_px{0};
   std::vector<std::uint16_t> blend;
 };
 
-/// Reads a file with one display, alone or in a container. Throws std::runtime_error, "1:1: …, at byte N", for
-/// a file that is not as long as it says, for coordinates beyond 1e9, and for several displays.
+/// Reads a file with one display, alone or in a container. Throws std::runtime_error, "1:1: …, at byte N",
+/// for a file that is not as long as it says, for coordinates beyond 1e9, and for several displays.
 VwfFile parseVwf(std::string_view content);
 
 /// Returns a file's warp; throws std::runtime_error for a file with a screen, for places beyond 16 pictures,

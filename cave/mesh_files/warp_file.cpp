@@ -22,8 +22,9 @@ Warp parsed(const std::string& ending, const std::string& content, const glm::iv
   if (ending == ".sgc") return parseSgcWarp(content);
   if (ending == ".data") return parseBourkeWarp(content, window_px);
   if (ending == ".vwf") return warpOf(parseVwf(content));
-  meshFault(1, 1, fmt::format("is of a kind that cannot be read, expected a file ending in {}",
-                              fmt::join(kWarpEndings, ", ")));
+  meshFault(1, 1,
+            fmt::format("is of a kind that cannot be read, expected a file ending in {}",
+                        fmt::join(kWarpEndings, ", ")));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 // Files of calibration programs that bend a flat picture to a screen. None is trusted: each reader throws
-// std::runtime_error, "LINE:COLUMN: what is wrong, what was expected" (of bytes "1:1: …, at byte N"), and every
-// number must be finite and within 16 windows or pictures of their corner.
+// std::runtime_error, "LINE:COLUMN: what is wrong, what was expected" (of bytes "1:1: …, at byte N"), and
+// every number must be finite and within 16 windows or pictures of their corner.
 
 #include <string_view>
 
@@ -30,13 +30,13 @@ Warp parseCsvWarp(std::string_view content);
 /// of a range that stands for the window's width or height, x to the right and y downwards.
 Warp parseSimcadWarp(std::string_view content);
 
-/// SCISS .sgc: its vertices are x, y in the window from the upper left, and u, v in the picture from the lower
-/// left. Version 1 has a grid, version 2 a list or a strip of triangles.
+/// SCISS .sgc: its vertices are x, y in the window from the upper left, and u, v in the picture from the
+/// lower left. Version 1 has a grid, version 2 a list or a strip of triangles.
 Warp parseSgcWarp(std::string_view content);
 
-/// Paul Bourke's mesh for spherical mirrors (http://paulbourke.net/dataformats/meshwarp/): a kind, columns and
-/// rows, then x y u v i: x from -aspect to aspect of the window, y from -1 to 1, u, v in the picture, 0 to 1
-/// from the lower left, and the share of light, below 0 where nothing is drawn.
+/// Paul Bourke's mesh for spherical mirrors (http://paulbourke.net/dataformats/meshwarp/): a kind, columns
+/// and rows, then x y u v i: x from -aspect to aspect of the window, y from -1 to 1, u, v in the picture, 0
+/// to 1 from the lower left, and the share of light, below 0 where nothing is drawn.
 Warp parseBourkeWarp(std::string_view content, const glm::ivec2& window_px);
 
 }  // namespace carom

@@ -162,7 +162,8 @@ std::optional<Projection> projectionOf(const Wall& wall) {
                         .gain = wall.gain,
                         .gamma = wall.gamma};
   if (!wall.colourWarps[0].empty()) {
-    projection.colourWarps = {readWarp(wall.colourWarps[0], wall.pixels), readWarp(wall.colourWarps[1], wall.pixels),
+    projection.colourWarps = {readWarp(wall.colourWarps[0], wall.pixels),
+                              readWarp(wall.colourWarps[1], wall.pixels),
                               readWarp(wall.colourWarps[2], wall.pixels)};
   }
   return projection;

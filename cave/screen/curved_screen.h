@@ -19,7 +19,7 @@ namespace carom {
 struct CurvedScreen {
   /// Its formula, or the file that it has been read from, if it has one.
   std::variant<std::monostate, CylinderScreen, DomeScreen, Sky, MeasuredScreen> shape;
-  ScreenMesh mesh;                                                      ///< all of it
+  ScreenMesh mesh;                ///< all of it
   std::vector<FlatPiece> pieces;  ///< those on the window's left half come first
   std::size_t leftPieces = 0;     ///< how many lie on the left half
   glm::ivec2 window_px{0};        ///< for which the pieces have their pixels

@@ -17,7 +17,7 @@ enum class GridRows : std::uint8_t { fromBottom, fromTop };
 struct MeasuredScreen {
   std::filesystem::path file;
   std::shared_ptr<const std::string> bytes{};  ///< of a file that is not on the disk yet; null: it is
-  bool isGrid = false;  ///< else triangles
+  bool isGrid = false;                         ///< else triangles
   GridRows rows = GridRows::fromBottom;
   double unit_m = 1.0;  ///< of the file's lengths
   Pose roomFromScreen{};

@@ -25,7 +25,8 @@ class WindowMask {
 
   bool isScreen(const glm::dvec2& inWindow) const {
     const glm::ivec2 square(glm::floor(inWindow * static_cast<double>(kMask)));
-    return square.x >= 0 && square.y >= 0 && square.x < kMask && square.y < kMask && squares_[indexOf(square)];
+    return square.x >= 0 && square.y >= 0 && square.x < kMask && square.y < kMask &&
+           squares_[indexOf(square)];
   }
   /// Returns a point of the first triangle that shows a place that another one shows.
   const std::optional<ScreenPoint>& twice() const { return twice_; }
@@ -38,7 +39,8 @@ class WindowMask {
     constexpr double kInside = 1e-6;
     const glm::dvec2 low = glm::min(glm::min(t[0].inWindow, t[1].inWindow), t[2].inWindow),
                      high = glm::max(glm::max(t[0].inWindow, t[1].inWindow), t[2].inWindow);
-    const glm::ivec2 from = glm::clamp(glm::ivec2(glm::floor(low * static_cast<double>(kMask))), 0, kMask - 1),
+    const glm::ivec2 from =
+                         glm::clamp(glm::ivec2(glm::floor(low * static_cast<double>(kMask))), 0, kMask - 1),
                      to = glm::clamp(glm::ivec2(glm::floor(high * static_cast<double>(kMask))), 0, kMask - 1);
     const double area = windowArea(t);
     const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
@@ -153,16 +155,19 @@ std::string foldIn(const ScreenMesh& mesh) {
     if (!isSame(a, b)) continue;
     const ScreenPoint& at = mesh[a.triangle][a.corner];
     if (foldsInWindow(mesh, a, b))
-      return fmt::format("the mesh folds over itself in the window at {}, expected each place once", wordsFor(at));
-    if (glm::dot(normalOf(mesh[a.triangle]), normalOf(mesh[b.triangle])) < 0.0)
-      return fmt::format("the mesh folds over itself in the room at {}, expected a screen that turns by less than "
-                         "90° from cell to cell",
+      return fmt::format("the mesh folds over itself in the window at {}, expected each place once",
                          wordsFor(at));
+    if (glm::dot(normalOf(mesh[a.triangle]), normalOf(mesh[b.triangle])) < 0.0)
+      return fmt::format(
+          "the mesh folds over itself in the room at {}, expected a screen that turns by less than "
+          "90° from cell to cell",
+          wordsFor(at));
   }
   const WindowMask mask(mesh);
   if (const std::optional<ScreenPoint>& twice = mask.twice())
-    return fmt::format("two parts of the mesh are at the same place of the window, at {}, expected each place once",
-                       wordsFor(*twice));
+    return fmt::format(
+        "two parts of the mesh are at the same place of the window, at {}, expected each place once",
+        wordsFor(*twice));
   return {};
 }
 

@@ -15,7 +15,8 @@ namespace carom {
 /// A place of the window's and the room's, as words: "0.31, 0.72 of the window, -1.52, 0.70, -3.10 m".
 std::string wordsFor(const ScreenPoint& point);
 
-/// Return why a screen cannot be drawn, with the place: a cell with an edge over a metre. Empty: there is none.
+/// Return why a screen cannot be drawn, with the place: a cell with an edge over a metre. Empty: there is
+/// none.
 std::string largeCellIn(const ScreenMesh& mesh);
 std::string largeCellIn(const ScreenGrid& grid);
 

@@ -49,8 +49,8 @@ double turns_rad(const std::vector<glm::dvec3>& normals) {
   return std::acos(std::clamp(glm::dot(one, farthestFrom(one)), -1.0, 1.0));
 }
 
-/// Returns whether the middle of the screen is farther from the eyes than the plane of the whole: along the mean
-/// normal, which halves a screen that bends round them.
+/// Returns whether the middle of the screen is farther from the eyes than the plane of the whole: along the
+/// mean normal, which halves a screen that bends round them.
 bool bendsRound(const ScreenMesh& mesh, const glm::dvec3& eyes_m) {
   constexpr double kBends_m = 0.005;
   glm::dvec3 area(0.0), middle_m(0.0);

@@ -33,13 +33,14 @@ class GridLine {
  public:
   explicit GridLine(std::vector<glm::dvec3> points) : points_(std::move(points)) {}
 
-  /// Returns a place: `at` counts points, and reaches half a cell beyond the ends. None (NaN) where a neighbour
-  /// is none.
+  /// Returns a place: `at` counts points, and reaches half a cell beyond the ends. None (NaN) where a
+  /// neighbour is none.
   glm::dvec3 operator()(double at) const {
     const int last = static_cast<int>(points_.size()) - 1;
     const int low = std::clamp(static_cast<int>(std::floor(at)), 0, last - 1);
     const double share = at - low;
-    if (share < 0.0 || share > 1.0) return beyond(share < 0.0 ? 0 : last, share < 0.0 ? 1 : -1, share < 0.0 ? -share : share - 1.0);
+    if (share < 0.0 || share > 1.0)
+      return beyond(share < 0.0 ? 0 : last, share < 0.0 ? 1 : -1, share < 0.0 ? -share : share - 1.0);
     if (share == 0.0) return points_[static_cast<std::size_t>(low)];
     if (share == 1.0) return points_[static_cast<std::size_t>(low) + 1];
     const glm::dvec3 from = point(low), to = point(low + 1);
@@ -65,7 +66,8 @@ class GridLine {
     if (!isThere(a) || !isThere(b)) return glm::dvec3(kNaN);
     glm::dvec3 c = point(end + 2 * inwards);
     if (!isThere(c)) c = 2.0 * b - a;
-    return 0.5 * (share + 1.0) * (share + 2.0) * a - share * (share + 2.0) * b + 0.5 * share * (share + 1.0) * c;
+    return 0.5 * (share + 1.0) * (share + 2.0) * a - share * (share + 2.0) * b +
+           0.5 * share * (share + 1.0) * c;
   }
 
   std::vector<glm::dvec3> points_;
@@ -76,11 +78,13 @@ struct Net {
   std::vector<double> across, up;  ///< places of the lines in the window
   std::vector<glm::dvec3> places;  ///< row by row from below; NaN: none
 
-  const glm::dvec3& at(std::size_t column, std::size_t row) const { return places[row * across.size() + column]; }
+  const glm::dvec3& at(std::size_t column, std::size_t row) const {
+    return places[row * across.size() + column];
+  }
 };
 
-/// Returns the lines of a net, `finer` to each cell, counted in points of the grid: from half a cell before the
-/// first one to half a cell behind the last one.
+/// Returns the lines of a net, `finer` to each cell, counted in points of the grid: from half a cell before
+/// the first one to half a cell behind the last one.
 std::vector<double> linesOf(int count, int finer) {
   std::vector<double> lines{-0.5};
   for (int i = 0; i + 1 < count; ++i) {
@@ -171,8 +175,9 @@ class NetMesh {
       for (std::size_t column = block.left; column <= block.right; ++column) {
         const double x = (net_.across[column] - a.inWindow.x) / (c.inWindow.x - a.inWindow.x),
                      y = (net_.up[row] - a.inWindow.y) / (c.inWindow.y - a.inWindow.y);
-        const glm::dvec3 onPlane_m = x >= y ? a.inRoom_m + x * (b.inRoom_m - a.inRoom_m) + y * (c.inRoom_m - b.inRoom_m)
-                                            : a.inRoom_m + y * (d.inRoom_m - a.inRoom_m) + x * (c.inRoom_m - d.inRoom_m);
+        const glm::dvec3 onPlane_m =
+            x >= y ? a.inRoom_m + x * (b.inRoom_m - a.inRoom_m) + y * (c.inRoom_m - b.inRoom_m)
+                   : a.inRoom_m + y * (d.inRoom_m - a.inRoom_m) + x * (c.inRoom_m - d.inRoom_m);
         if (!(glm::distance(net_.at(column, row), onPlane_m) <= most_m)) return false;  // nor NaN
       }
     }
@@ -190,8 +195,8 @@ class NetMesh {
 bool hasCell(const ScreenGrid& grid) {
   for (int row = 0; row + 1 < grid.rows; ++row) {
     for (int column = 0; column + 1 < grid.columns; ++column) {
-      if (isThere(grid.at(column, row)) && isThere(grid.at(column + 1, row)) && isThere(grid.at(column, row + 1)) &&
-          isThere(grid.at(column + 1, row + 1)))
+      if (isThere(grid.at(column, row)) && isThere(grid.at(column + 1, row)) &&
+          isThere(grid.at(column, row + 1)) && isThere(grid.at(column + 1, row + 1)))
         return true;
     }
   }

@@ -35,8 +35,8 @@ struct GridMesh {
 /// are finer, by a Catmull–Rom surface through the points (E. Catmull and R. Rom, "A class of local
 /// interpolating splines", 1974). Where the screen reaches the last points of the grid, it goes on to the
 /// window's rim as the parabola through the last three points. A grid of very many points is thinned where
-/// they lie in a plane within a fiftieth of a pixel, or within one at most if it is ragged; without triangles,
-/// it is too ragged for that. The places must be in metres, in the room.
+/// they lie in a plane within a fiftieth of a pixel, or within one at most if it is ragged; without
+/// triangles, it is too ragged for that. The places must be in metres, in the room.
 GridMesh meshOf(const ScreenGrid& grid, const glm::ivec2& window_px, std::span<const glm::dvec3> eyes_m);
 
 }  // namespace carom

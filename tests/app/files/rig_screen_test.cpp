@@ -166,9 +166,9 @@ const std::string kWall = kArc.substr(0, kArc.find("screen"));
 // The rig is in centimetres with z up; the files have x right, y up, z back.
 TEST(RigScreen, AMeasuredScreenStandsWhereItsFileAndTheRigSay) {
   const std::string pose = "room_from_screen = { translation = [10, 20, 0], rotation_deg = [90, 0, 0] } }\n";
-  for (const std::string& screen :
-       {"{ shape = 'grid', file = 'arc.pfm', unit = 'mm', " + pose, "{ shape = 'grid', file = 'arc.vwf', unit = 'mm', " + pose,
-        "{ shape = 'mesh', file = 'arc.obj', unit = 'm', " + pose}) {
+  for (const std::string& screen : {"{ shape = 'grid', file = 'arc.pfm', unit = 'mm', " + pose,
+                                    "{ shape = 'grid', file = 'arc.vwf', unit = 'mm', " + pose,
+                                    "{ shape = 'mesh', file = 'arc.obj', unit = 'm', " + pose}) {
     const Rig rig = read(kWall + "screen = " + screen);
     const Wall& wall = rig.walls.at(0);
     ASSERT_TRUE(wall.screen);
@@ -181,8 +181,9 @@ TEST(RigScreen, AMeasuredScreenStandsWhereItsFileAndTheRigSay) {
 }
 
 TEST(RigScreen, ARowOfAGridIsAtTheEdgeThatTheRigSays) {
-  const std::string screen = "screen = { shape = 'grid', file = 'arc.pfm', unit = 'mm', room_from_screen = { "
-                             "rotation_deg = [90, 0, 0] }, rows = 'top' }\n";
+  const std::string screen =
+      "screen = { shape = 'grid', file = 'arc.pfm', unit = 'mm', room_from_screen = { "
+      "rotation_deg = [90, 0, 0] }, rows = 'top' }\n";
   const Rig rig = read(kWall + screen);
   expectAt(rig.walls.at(0), {0.5, 1.0}, {0.0, 3.0, 0.1});
 }
@@ -194,8 +195,10 @@ TEST(RigScreen, TheLightInAVwfIsItsBlend) {
   folder.file("arc.vwf", test::vwfBytes(33, 17, onArc_m, 1e3, 0x200, shares));
   folder.file("plain.vwf", test::vwfBytes(33, 17, onArc_m));
   const std::string pose = "unit = 'mm', room_from_screen = { rotation_deg = [90, 0, 0] } }\n";
-  const Rig with = readRig(folder.file("a.toml", kWall + "screen = { shape = 'grid', file = 'arc.vwf', " + pose)),
-            without = readRig(folder.file("b.toml", kWall + "screen = { shape = 'grid', file = 'plain.vwf', " + pose));
+  const Rig with = readRig(
+                folder.file("a.toml", kWall + "screen = { shape = 'grid', file = 'arc.vwf', " + pose)),
+            without = readRig(
+                folder.file("b.toml", kWall + "screen = { shape = 'grid', file = 'plain.vwf', " + pose));
   EXPECT_EQ(with.walls.at(0).blend.filename(), "arc.vwf");
   EXPECT_TRUE(without.walls.at(0).blend.empty());
 }
@@ -228,14 +231,16 @@ INSTANTIATE_TEST_SUITE_P(
               37, "a number above 0"},
         Fault{"a sky's sagitta", changed("screen", "facet_sagitta = 1\nsky = { kind = 'fisheye' }\n#"), 11,
               17, "of a wall with a screen"},
-        Fault{"one triangle", kWall + "screen = { shape = 'mesh', file = 'one.obj' }\n", 11, 35, "two at least"},
+        Fault{"one triangle", kWall + "screen = { shape = 'mesh', file = 'one.obj' }\n", 11, 35,
+              "two at least"},
         Fault{"no file", kWall + "screen = { shape = 'mesh', file = 'gone.obj' }\n", 11, 35, "gone.obj"},
         Fault{"a file of another kind", kWall + "screen = { shape = 'grid', file = 'arc.obj' }\n", 11, 35,
               "ending in .pfm or .vwf"},
-        Fault{"a mesh with rows", kWall + "screen = { shape = 'mesh', file = 'arc.obj', unit = 'm', rows = 'top' }\n",
-              11, 65, "is of a grid"},
-        Fault{"a large cell", kWall + "screen = { shape = 'mesh', file = 'coarse.obj', unit = 'm' }\n", 11, 35,
-              "a cell of the mesh has an edge of"},
+        Fault{"a mesh with rows",
+              kWall + "screen = { shape = 'mesh', file = 'arc.obj', unit = 'm', rows = 'top' }\n", 11, 65,
+              "is of a grid"},
+        Fault{"a large cell", kWall + "screen = { shape = 'mesh', file = 'coarse.obj', unit = 'm' }\n", 11,
+              35, "a cell of the mesh has an edge of"},
         Fault{"a fold", kWall + "screen = { shape = 'mesh', file = 'folded.obj', unit = 'm' }\n", 11, 35,
               "folds over itself in the room"},
         Fault{"a grid of nothing", kWall + "screen = { shape = 'grid', file = 'none.pfm' }\n", 11, 35,
@@ -245,8 +250,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"a short vwf", kWall + "screen = { shape = 'grid', file = 'short.vwf' }\n", 11, 35,
               "33 × 17 points take 8976 bytes"},
         Fault{"too deep",
-              kWall + "facet_sagitta = 0.0001\nscreen = { shape = 'grid', file = 'arc.pfm', unit = 'mm' }\n", 11, 17,
-              "flat pieces"},
+              kWall + "facet_sagitta = 0.0001\nscreen = { shape = 'grid', file = 'arc.pfm', unit = 'mm' }\n",
+              11, 17, "flat pieces"},
         Fault{"a panel behind the head",
               kArc + "[panel]\nlower_left = [100, -250, 50]\nlower_right = [-100, -250, 50]\nupper_left = "
                      "[100, -250, "

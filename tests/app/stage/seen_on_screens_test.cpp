@@ -269,8 +269,9 @@ double blackShare(const Image& window, const glm::dvec2& from, const glm::dvec2&
   const glm::ivec2 low(from * glm::dvec2(window.size_px)), high(to * glm::dvec2(window.size_px));
   for (int y = low.y; y < high.y; ++y) {
     for (int x = low.x; x < high.x; ++x) {
-      const std::uint8_t* rgb = &window.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(window.size_px.x) +
-                                                 static_cast<std::size_t>(x))];
+      const std::uint8_t* rgb =
+          &window.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(window.size_px.x) +
+                           static_cast<std::size_t>(x))];
       ++pixels;
       if (rgb[0] + rgb[1] + rgb[2] == 0) ++black;
     }
@@ -293,10 +294,12 @@ TEST_F(SeenOnScreens, ACylinderFromFilesIsSeenWhereItIs) {
   const Rig rig = readRig(folder.file(
       "arc.toml",
       "unit = 'm'\naxes = 'x-right y-up z-back'\n[head]\ntracker = 'cap'\n[[tracker]]\nname = 'cap'\nkind = "
-      "'simulated'\n[[wall]]\nname = 'arc'\npixels = [970, 330]\nscreen = { shape = 'grid', file = 'arc.vwf', unit "
+      "'simulated'\n[[wall]]\nname = 'arc'\npixels = [970, 330]\nscreen = { shape = 'grid', file = "
+      "'arc.vwf', unit "
       "= 'mm' }\n"));
   const FrameRecord record = frame(0.6, {1.0, 1.6, 0.8});
-  for (const auto& [name, wall] : {std::pair("cylinder_a3.mpcdi", room.walls[0].wall), {"arc.vwf", rig.walls.at(0)}}) {
+  for (const auto& [name, wall] :
+       {std::pair("cylinder_a3.mpcdi", room.walls[0].wall), {"arc.vwf", rig.walls.at(0)}}) {
     Bent screen = bent(truth, StereoMode::left);
     screen.name = name;
     screen.wall.screen = wall.screen;

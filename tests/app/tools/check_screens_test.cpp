@@ -50,7 +50,9 @@ TEST(CheckScreens, TellsWhatAMeasuredScreenIs) {
   const TemporaryFolder folder;
   folder.file("arc.pfm", test::pfmBytes(48, 32, arc(-40.0, 40.0)));
   const std::string text = said(folder, wall("arc", "arc.pfm"));
-  expectHas(text, "arc: curved, 4.189 × 2.400 m along it, turns by 79°, 309 to 309 px/m, 3.00 to 3.35 m from the eyes");
+  expectHas(
+      text,
+      "arc: curved, 4.189 × 2.400 m along it, turns by 79°, 309 to 309 px/m, 3.00 to 3.35 m from the eyes");
   expectLacks(text, "warning");
 }
 
@@ -58,12 +60,14 @@ TEST(CheckScreens, WarnsOfScreensThatAreNotAsTheyShouldBe) {
   const TemporaryFolder folder;
   const auto mirrored = [](const glm::dvec2& at) { return arc(-40.0, 40.0)({1.0 - at.x, at.y}); };
   folder.file("mirrored.pfm", test::pfmBytes(48, 32, mirrored));
-  expectHas(said(folder, wall("arc", "mirrored.pfm")), "the window of wall 'arc' runs mirrored over its screen");
+  expectHas(said(folder, wall("arc", "mirrored.pfm")),
+            "the window of wall 'arc' runs mirrored over its screen");
   const auto partly = [](const glm::dvec2& at) {
     return at.x < 0.3 ? glm::dvec3(std::nan("")) : arc(-40.0, 40.0)(at);
   };
   folder.file("partly.pfm", test::pfmBytes(48, 32, partly));
-  expectHas(said(folder, wall("arc", "partly.pfm")), "% of the window of wall 'arc' show screen, expected 90 %");
+  expectHas(said(folder, wall("arc", "partly.pfm")),
+            "% of the window of wall 'arc' show screen, expected 90 %");
   folder.file("right.pfm", test::pfmBytes(48, 32, arc(40.0, 120.0)));
   expectHas(said(folder, wall("left", "right.pfm")), "wall 'left' is on the right, against its name");
   folder.file("rough.obj", test::objText(10, 6, arc(-40.0, 40.0)));
@@ -88,9 +92,10 @@ TEST(CheckScreens, NeighboursMeetAtTheirRims) {
   const TemporaryFolder folder;
   folder.file("left.obj", test::objText(60, 24, arc(-80.0, 0.0)));
   folder.file("right.obj", test::objText(60, 24, arc(0.0, 80.0)));
-  folder.file("apart.obj", test::objText(60, 24, arc(0.3, 80.0)));        // 15.7 mm beside it
+  folder.file("apart.obj", test::objText(60, 24, arc(0.3, 80.0)));  // 15.7 mm beside it
   folder.file("over.obj", test::objText(60, 24, arc(-5.0, 80.0)));
-  const std::string left = wall("one", "left.obj"), words = "the rims of walls 'one' and 'two' miss each other by ";
+  const std::string left = wall("one", "left.obj"),
+                    words = "the rims of walls 'one' and 'two' miss each other by ";
   expectLacks(said(folder, left + wall("two", "right.obj")), words);
   expectLacks(said(folder, left + wall("two", "over.obj")), words);
   expectHas(said(folder, left + wall("two", "apart.obj")), words + "15.7 mm");

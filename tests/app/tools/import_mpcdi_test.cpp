@@ -26,7 +26,8 @@ using test::TemporaryFolder;
 const std::string kRooms = CAROM_TESTS_DIR "/data/rooms/";
 
 /// Makes a zip archive of files with these names; returns its bytes.
-std::string zipped(const TemporaryFolder& folder, const std::vector<std::pair<std::string, std::string>>& files) {
+std::string zipped(const TemporaryFolder& folder,
+                   const std::vector<std::pair<std::string, std::string>>& files) {
   const std::string path = folder / "made.mpcdi";
   zipFile zip = zipOpen64(path.c_str(), APPEND_STATUS_CREATE);
   for (const auto& [name, content] : files) {
@@ -40,20 +41,25 @@ std::string zipped(const TemporaryFolder& folder, const std::vector<std::pair<st
   return bytes;
 }
 
-std::string description(const std::string& profile, const std::string& fileset, const std::string& region = "") {
+std::string description(const std::string& profile, const std::string& fileset,
+                        const std::string& region = "") {
   return "<MPCDI profile=\"" + profile +
          "\" version=\"1.0\">\n<display><buffer id=\"a\" xResolution=\"800\" yResolution=\"400\">"
-         "<region id=\"one\" xResolution=\"400\" yResolution=\"400\" x=\"0\" y=\"0\" xsize=\"0.5\" ysize=\"1\">" +
-         region + "</region></buffer></display>\n<files><fileset region=\"one\">" + fileset + "</fileset></files></MPCDI>";
+         "<region id=\"one\" xResolution=\"400\" yResolution=\"400\" x=\"0\" y=\"0\" xsize=\"0.5\" "
+         "ysize=\"1\">" +
+         region + "</region></buffer></display>\n<files><fileset region=\"one\">" + fileset +
+         "</fileset></files></MPCDI>";
 }
 
 std::string warp(const std::string& path) {
   return "<geometryWarpFile><path>" + path +
-         "</path><geometricUnit>m</geometricUnit><originof3DData>floorCenter</originof3DData></geometryWarpFile>";
+         "</path><geometricUnit>m</geometricUnit><originof3DData>floorCenter</originof3DData></"
+         "geometryWarpFile>";
 }
 
 const std::string kFrustum =
-    "<frustum><yaw>90</yaw><pitch>0</pitch><roll>0</roll><rightAngle>45</rightAngle><leftAngle>-45</leftAngle>"
+    "<frustum><yaw>90</yaw><pitch>0</pitch><roll>0</roll><rightAngle>45</rightAngle><leftAngle>-45</"
+    "leftAngle>"
     "<upAngle>30</upAngle><downAngle>-20</downAngle></frustum>";
 
 TEST(ImportMpcdi, AMeasuredCylinderBecomesAScreen) {
@@ -89,13 +95,16 @@ TEST(ImportMpcdi, AMeasuredCylinderBecomesAScreen) {
 TEST(ImportMpcdi, FlatPicturesAreRightFromOnePlace) {
   const TemporaryFolder folder;
   // The picture's lower half, from its lower left.
-  const std::string half = test::pfmBytes(20, 20, [](const glm::dvec2& at) { return glm::dvec3(at.x, 0.5 * at.y, 0.0); });
+  const std::string half =
+      test::pfmBytes(20, 20, [](const glm::dvec2& at) { return glm::dvec3(at.x, 0.5 * at.y, 0.0); });
   folder.file("half.pfm", half);
   for (const std::string profile : {"2d", "3d"}) {
     const std::string rig = folder / (profile + ".toml");
-    const auto made =
-        runCarom(folder, {"import", folder.file(profile + ".mpcdi.xml", description(profile, warp("half.pfm"), profile == "3d" ? kFrustum : "")),
-                          "-o", rig});
+    const auto made = runCarom(
+        folder, {"import",
+                 folder.file(profile + ".mpcdi.xml",
+                             description(profile, warp("half.pfm"), profile == "3d" ? kFrustum : "")),
+                 "-o", rig});
     ASSERT_EQ(made.status, 0) << made.err;
     EXPECT_NE(made.err.find("is right from one place only"), std::string::npos) << made.err;
     const Rig read = readRig(rig);
@@ -139,7 +148,8 @@ TEST(ImportMpcdi, WhatIsWrongIsNamedAndNothingIsWritten) {
       {"poses alone", description("sl", ""), "no surface to draw on"},
       {"no profile", description("x9", ""), "the profile is 'x9'"},
       {"a name that leads out", a3, "the name '../secret.pfm' leads out of the folder"},
-      {"an absolute name", description("a3", warp("/etc/passwd")), "the name '/etc/passwd' leads out of the folder"},
+      {"an absolute name", description("a3", warp("/etc/passwd")),
+       "the name '/etc/passwd' leads out of the folder"},
       {"no file", good, "there is no such file"},
       {"no zip", "PK\x03\x04 nothing", "this is no zip archive"},
       {"a zip that leads out", zipped(folder, {{"mpcdi.xml", good}, {"../arc.pfm", arc}}),
@@ -149,12 +159,15 @@ TEST(ImportMpcdi, WhatIsWrongIsNamedAndNothingIsWritten) {
       {"a zip without a description", zipped(folder, {{"arc.pfm", arc}}), "the archive has no mpcdi.xml"},
       {"a bomb", bomb, "the archive unpacks to more than 256 MiB, with 'arc.pfm'"},
       {"a large picture",
-       zipped(folder, {{"mpcdi.xml", description("a3", warp("arc.pfm") + alpha)}, {"arc.pfm", arc}, {"a.png", png}}),
+       zipped(folder,
+              {{"mpcdi.xml", description("a3", warp("arc.pfm") + alpha)}, {"arc.pfm", arc}, {"a.png", png}}),
        "'a.png': the picture has 100000 × 100000 pixels"},
       {"no picture",
-       zipped(folder, {{"mpcdi.xml", description("a3", warp("arc.pfm") + alpha)}, {"arc.pfm", arc}, {"a.png", arc}}),
+       zipped(folder,
+              {{"mpcdi.xml", description("a3", warp("arc.pfm") + alpha)}, {"arc.pfm", arc}, {"a.png", arc}}),
        "the picture is no PNG"},
-      {"a short grid", zipped(folder, {{"mpcdi.xml", good}, {"arc.pfm", arc.substr(0, 100)}}), "16 × 8 points take"},
+      {"a short grid", zipped(folder, {{"mpcdi.xml", good}, {"arc.pfm", arc.substr(0, 100)}}),
+       "16 × 8 points take"},
   };
   for (const Bad& bad : all) {
     const std::string file = folder.file("bad.mpcdi", bad.bytes);

@@ -35,14 +35,15 @@ inline std::string pfmBytes(int columns, int rows, const PlaceOf& place) {
   return bytes;
 }
 
-/// A .vwf with a screen: a header of 380 bytes, then x y z w of each pixel from the window's upper left. Lengths
-/// are `perMetre` of the file's to a metre. `flags` beside 0x40, `after`: what follows the points.
+/// A .vwf with a screen: a header of 380 bytes, then x y z w of each pixel from the window's upper left.
+/// Lengths are `perMetre` of the file's to a metre. `flags` beside 0x40, `after`: what follows the points.
 inline std::string vwfBytes(int columns, int rows, const PlaceOf& place, double perMetre = 1000.0,
                             std::uint32_t flags = 0, const std::string& after = "") {
   constexpr std::uint32_t kHeader = 380, kScreen = 0x40;
   std::string bytes = "vwf0";
-  for (const std::uint32_t value : {kHeader, kScreen | flags, 0U, static_cast<std::uint32_t>(16 * columns * rows),
-                                    static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows)})
+  for (const std::uint32_t value :
+       {kHeader, kScreen | flags, 0U, static_cast<std::uint32_t>(16 * columns * rows),
+        static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows)})
     put(bytes, value);
   bytes.resize(kHeader, '\0');
   for (int row = rows; row-- > 0;) {
@@ -63,7 +64,8 @@ inline std::string objText(int columns, int rows, const PlaceOf& place) {
     for (int column = 0; column <= columns; ++column) {
       const glm::dvec2 inWindow(static_cast<double>(column) / columns, static_cast<double>(row) / rows);
       const glm::dvec3 at = place(inWindow);
-      text += fmt::format("v {:.9f} {:.9f} {:.9f}\nvt {:.9f} {:.9f}\n", at.x, at.y, at.z, inWindow.x, inWindow.y);
+      text +=
+          fmt::format("v {:.9f} {:.9f} {:.9f}\nvt {:.9f} {:.9f}\n", at.x, at.y, at.z, inWindow.x, inWindow.y);
     }
   }
   const auto corner = [&](int column, int row) { return row * (columns + 1) + column + 1; };

@@ -9,8 +9,8 @@
 #include <random>
 #include <stdexcept>
 
-#include <glm/geometric.hpp>
 #include <zlib.h>
+#include <glm/geometric.hpp>
 
 #include "app/temporary_folder.h"
 #include "cave/mesh_files/measured_bytes.h"
@@ -61,7 +61,8 @@ TEST(WarpFiles, ThreeFormatsOfOneChannelAgree) {
     EXPECT_EQ(other->left.triangles, csv.left.triangles);
     for (std::size_t i = 0; i < csv.left.points.size(); ++i) {
       const WarpPoint &a = csv.left.points[i], &b = other->left.points[i];
-      worst = std::max<double>({worst, glm::distance(a.inWindow, b.inWindow), glm::distance(a.inPicture, b.inPicture)});
+      worst = std::max<double>(
+          {worst, glm::distance(a.inWindow, b.inWindow), glm::distance(a.inPicture, b.inPicture)});
     }
   }
   std::printf("the three files differ by %.2g of the window\n", worst);
@@ -73,7 +74,9 @@ TEST(WarpFiles, ThreeFormatsOfOneChannelAgree) {
 
 TEST(WarpFiles, WrongOnesAreRefusedWithTheirPlace) {
   const std::string head = "x;y;u;v;column;row\n0;0;0;0;0;0\n1;0;1;0;1;0\n";
-  expectSaid(complaint([] { readWarp(kMeshes + "channel1_warp_frustum.csv", {1, 1}); }),
+  expectSaid(complaint([] {
+               readWarp(kMeshes + "channel1_warp_frustum.csv", {1, 1});
+             }),
              "1:1: this is the frustum of a projector, expected a mesh");
   expectSaid(complaint([] { parseCsvWarp(""); }), "1:1: there is no line");
   expectSaid(complaint([&] { parseCsvWarp(head); }), "4:1: there are 2 points in rows of 2");
@@ -82,16 +85,19 @@ TEST(WarpFiles, WrongOnesAreRefusedWithTheirPlace) {
              "4:1: the point is of column 1, row 1, expected column 0, row 1");
   expectSaid(complaint([] { parseSimcadWarp("<GeometryFile/>"); }), "1:1: there is no <X-FlatParameters>");
   expectSaid(complaint([] {
-               parseSimcadWarp("<G>\n<X-FlatParameters range='8'>0 0 0 0</X-FlatParameters>"
-                               "<Y-FlatParameters range='8'>0 0 x 0</Y-FlatParameters></G>");
+               parseSimcadWarp(
+                   "<G>\n<X-FlatParameters range='8'>0 0 0 0</X-FlatParameters>"
+                   "<Y-FlatParameters range='8'>0 0 x 0</Y-FlatParameters></G>");
              }),
              "2:55: number 3 of <Y-FlatParameters> is wrong");
   expectSaid(complaint([] {
-               parseSimcadWarp("<G><X-FlatParameters range='8'>0 0 0</X-FlatParameters>"
-                               "<Y-FlatParameters range='8'>0 0 0</Y-FlatParameters></G>");
+               parseSimcadWarp(
+                   "<G><X-FlatParameters range='8'>0 0 0</X-FlatParameters>"
+                   "<Y-FlatParameters range='8'>0 0 0</Y-FlatParameters></G>");
              }),
              "there are 3 numbers for x and 3 for y");
-  expectSaid(complaint([] { parseSimcadWarp("<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"); }), "declares a document type");
+  expectSaid(complaint([] { parseSimcadWarp("<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"); }),
+             "declares a document type");
   expectSaid(complaint([] { parseSimcadWarp("<a>"); }), "this is no XML");
   const std::string sgc = contentOf(kMeshes + "channel1_warp_u2.sgc", InputKind::warp);
   expectSaid(complaint([&] { parseSgcWarp("SGD"); }), "1:1: this is no mesh of SCISS");
@@ -101,7 +107,9 @@ TEST(WarpFiles, WrongOnesAreRefusedWithTheirPlace) {
              "index 1089 at byte 26200 is none of the 1089 vertices");
   expectSaid(complaint([&] { parseSgcWarp(sgc.substr(0, sgc.size() - 1)); }), "2080 indices are told");
   expectSaid(complaint([&] { parseSgcWarp(sgc.substr(0, 20)); }), "ends early");
-  expectSaid(complaint([] { parseBourkeWarp("2\n2 2\n-1 -1 0 0 1\n", {1, 1}); }),
+  expectSaid(complaint([] {
+               parseBourkeWarp("2\n2 2\n-1 -1 0 0 1\n", {1, 1});
+             }),
              "4:1: the file ends early, expected 2 × 2 points, of which there are 1");
   expectSaid(complaint([] { parseBourkeWarp("2\n1 2\n", {1, 1}); }), "2:1: '1' is wrong, expected columns");
 }
@@ -128,9 +136,8 @@ TEST(ScreenFiles, AnObjHasPlacesOfTheRoomAndOfTheWindow) {
 }
 
 TEST(ScreenFiles, APfmCountsFromItsRowsEdge) {
-  const std::string bytes = test::pfmBytes(4, 3, [](const glm::dvec2& at) {
-    return at.x < 0.2 && at.y > 0.8 ? glm::dvec3(kNaN) : onPlane(at);
-  });
+  const std::string bytes = test::pfmBytes(
+      4, 3, [](const glm::dvec2& at) { return at.x < 0.2 && at.y > 0.8 ? glm::dvec3(kNaN) : onPlane(at); });
   const ScreenGrid fromBottom = parsePfmScreen(bytes, GridRows::fromBottom),
                    fromTop = parsePfmScreen(bytes, GridRows::fromTop);
   EXPECT_LT(glm::distance(glm::dvec3(fromBottom.at(1, 0)), onPlane({1.5 / 4, 0.5 / 3})), 1e-6);
@@ -141,11 +148,13 @@ TEST(ScreenFiles, APfmCountsFromItsRowsEdge) {
 
 TEST(ScreenFiles, WrongOnesAreRefusedWithTheirPlace) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
-  expectSaid(complaint([&] { parseObjScreen(triangle); }), "1:1: there are 1 triangles that the window shows");
+  expectSaid(complaint([&] { parseObjScreen(triangle); }),
+             "1:1: there are 1 triangles that the window shows");
   expectSaid(complaint([] { parseObjScreen("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }),
              "4:3: '1' is wrong, expected both v and vt");
   expectSaid(complaint([] { parseObjScreen("v 0 nan 0\n"); }), "1:5: 'nan' is wrong");
-  expectSaid(complaint([] { parseObjScreen("vt 0 -0.5\n" + test::objText(1, 1, onPlane)); }), "vt 1 is 0 -0.5, outside");
+  expectSaid(complaint([] { parseObjScreen("vt 0 -0.5\n" + test::objText(1, 1, onPlane)); }),
+             "vt 1 is 0 -0.5, outside");
   std::string many;
   for (std::size_t i = 0; i <= kMostMeshPoints; ++i) many += "v 0 0 0\n";
   expectSaid(complaint([&] { parseObjScreen(many); }), "1000001:1: there are more than 1000000 v");
@@ -172,7 +181,8 @@ TEST(VwfFiles, AScreenIsReadPackedOrNotAloneOrInAContainer) {
                      reinterpret_cast<const Bytef*>(plain.data() + 380), plain.size() - 380),
             Z_OK);
   packed.resize(length);
-  std::string zipped = with(with(plain.substr(0, 380), 8, 0x41), 16, static_cast<std::uint32_t>(length)) + packed;
+  std::string zipped =
+      with(with(plain.substr(0, 380), 8, 0x41), 16, static_cast<std::uint32_t>(length)) + packed;
   std::string container = "vwf1";
   for (const std::uint32_t value : {1U, 16U, 0U}) test::put(container, value);
   for (const std::string& bytes : {plain, zipped, container + plain}) {
@@ -202,7 +212,8 @@ TEST(VwfFiles, TheLightFollowsThePlaces) {
 }
 
 TEST(VwfFiles, AWarpIsWrittenAndReadAgain) {
-  const std::vector<glm::vec2> places{{0.1F, 0.2F}, {0.9F, 0.2F}, {NAN, NAN}, {0.1F, 0.8F}, {0.9F, 0.8F}, {1, 1}};
+  const std::vector<glm::vec2> places{{0.1F, 0.2F}, {0.9F, 0.2F}, {NAN, NAN},
+                                      {0.1F, 0.8F}, {0.9F, 0.8F}, {1, 1}};
   const VwfFile file = parseVwf(vwfOf({3, 2}, places));
   EXPECT_FALSE(file.isScreen);
   const Warp warp = warpOf(file);
@@ -214,11 +225,13 @@ TEST(VwfFiles, AWarpIsWrittenAndReadAgain) {
 TEST(VwfFiles, WrongOnesAreRefusedWithTheirPlace) {
   const std::string whole = test::vwfBytes(3, 2, onPlane);
   expectSaid(complaint([&] { parseVwf("vwf"); }), "there is no vwf0 at byte 0");
-  expectSaid(complaint([&] { parseVwf(with(whole, 20, 16000)); }), "16000 × 2 points take 512000 bytes at byte 380");
+  expectSaid(complaint([&] { parseVwf(with(whole, 20, 16000)); }),
+             "16000 × 2 points take 512000 bytes at byte 380");
   expectSaid(complaint([&] { parseVwf(with(whole, 20, 0xffffffff)); }), "the grid has 4294967295 × 2 points");
   expectSaid(complaint([&] { parseVwf(with(whole, 24, 1)); }), "the grid has 3 × 1 points");
   expectSaid(complaint([&] { parseVwf(with(whole, 4, 1U << 30U)); }), "the header has 1073741824 bytes");
-  expectSaid(complaint([&] { parseVwf(with(with(with(whole, 8, 0x41), 20, 16384), 24, 16384)); }), "cannot hold");
+  expectSaid(complaint([&] { parseVwf(with(with(with(whole, 8, 0x41), 20, 16384), 24, 16384)); }),
+             "cannot hold");
   expectSaid(complaint([&] { parseVwf(with(whole, 8, 0x41)); }), "the packed points at byte 380 are broken");
   expectSaid(complaint([&] { warpOf(parseVwf(whole)); }), "the file has a screen");
   std::string several = "vwf1";
@@ -231,12 +244,15 @@ TEST(MeasuredFiles, SpoiledOnesAreRefusedOrSound) {
   constexpr unsigned kSeed = 11;
   std::mt19937_64 random(kSeed);
   const std::string csv = "x;y;u;v;column;row\n0;0;0;0;0;0\n1;0;1;0;1;0\n0;1;0;1;0;1\n1;1;1;1;1;1\n";
-  const std::vector<std::string> all{csv, contentOf(kMeshes + "channel1_warp_u2.sgc", InputKind::warp).substr(0, 400),
-                                     "2\n2 2\n-1 -1 0 0 1\n1 -1 1 0 1\n-1 1 0 1 1\n1 1 1 1 1\n",
-                                     test::vwfBytes(4, 3, onPlane), test::pfmBytes(4, 3, onPlane),
-                                     test::objText(2, 2, onPlane),
-                                     "<G><X-FlatParameters range='8'>0 0 0 0</X-FlatParameters>"
-                                     "<Y-FlatParameters range='8'>0 0 0 0</Y-FlatParameters></G>"};
+  const std::vector<std::string> all{
+      csv,
+      contentOf(kMeshes + "channel1_warp_u2.sgc", InputKind::warp).substr(0, 400),
+      "2\n2 2\n-1 -1 0 0 1\n1 -1 1 0 1\n-1 1 0 1 1\n1 1 1 1 1\n",
+      test::vwfBytes(4, 3, onPlane),
+      test::pfmBytes(4, 3, onPlane),
+      test::objText(2, 2, onPlane),
+      "<G><X-FlatParameters range='8'>0 0 0 0</X-FlatParameters>"
+      "<Y-FlatParameters range='8'>0 0 0 0</Y-FlatParameters></G>"};
   int refused = 0, read = 0;
   for (int round = 0; round < 7000; ++round) {
     const std::size_t kind = static_cast<std::size_t>(round) % all.size();

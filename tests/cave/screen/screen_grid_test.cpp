@@ -25,7 +25,8 @@ double worst_px(const TrueScreen& screen, int places, std::mt19937_64& random,
     const glm::dvec2 place(share(random), share(random));
     const std::optional<glm::dvec3> drawn_m = inRoom_m(screen.mesh, place);
     if (!screen.isScreen(place) || !drawn_m) continue;
-    const std::vector<glm::dvec3> all = eyes_m.empty() ? std::vector{eyeNear(screen.middle_m, random)} : eyes_m;
+    const std::vector<glm::dvec3> all =
+        eyes_m.empty() ? std::vector{eyeNear(screen.middle_m, random)} : eyes_m;
     for (const glm::dvec3& eye_m : all) {
       const glm::dvec2 seen = screen.inWindow(eye_m, *drawn_m - eye_m);
       most_px = std::max(most_px, glm::length((seen - place) * glm::dvec2(screen.window_px)));
@@ -36,9 +37,9 @@ double worst_px(const TrueScreen& screen, int places, std::mt19937_64& random,
 
 TEST(ScreenGrid, APointOfTheSurfaceStaysInItsPixelForEveryEye) {
   std::mt19937_64 random(51);
-  for (const TrueScreen& screen :
-       {measured(cylinder(3.0, -70.0, 50.0, {1600, 700}), 33, 33),
-        measured(cylinder(3.0, -60.0, 60.0, {1940, 660}), 97, 33), measured(dome(5.0, 20.0, 180.0), 65, 65)}) {
+  for (const TrueScreen& screen : {measured(cylinder(3.0, -70.0, 50.0, {1600, 700}), 33, 33),
+                                   measured(cylinder(3.0, -60.0, 60.0, {1940, 660}), 97, 33),
+                                   measured(dome(5.0, 20.0, 180.0), 65, 65)}) {
     const double off_px = worst_px(screen, 4000, random);
     fmt::print("{}: {} triangles, at most {:.3f} px off\n", screen.name, screen.mesh.size(), off_px);
     EXPECT_LE(off_px, 0.2) << screen.name;
@@ -59,7 +60,8 @@ TEST(ScreenGrid, AGridOfEachPixelIsThinnedAndStaysRight) {
 // How far a picture slides on flat cells is predicted from the cells alone.
 TEST(ScreenGrid, ThePredictedSlideIsWithinAFactorOfTwo) {
   std::mt19937_64 random(53);
-  for (const TrueScreen& shape : {cylinder(3.0, -70.0, 50.0, {1600, 700}), cylinder(2.5, -40.0, 75.0, {2000, 900})}) {
+  for (const TrueScreen& shape :
+       {cylinder(3.0, -70.0, 50.0, {1600, 700}), cylinder(2.5, -40.0, 75.0, {2000, 900})}) {
     for (const int columns : {12, 33, 60}) {
       const TrueScreen screen = ofCells(shape, columns, 9);
       const std::vector<glm::dvec3> eyes_m = eyesAround(screen.middle_m, {0, 1, 0}, 1.5);
@@ -105,7 +107,8 @@ TEST(ScreenGrid, WhatHasNotBeenMeasuredIsNoScreen) {
   const TrueScreen screen = measured(shape, 40, 20);
   for (const glm::dvec2& shown : {glm::dvec2(0.001, 0.001), {0.999, 0.999}, {0.001, 0.45}, {0.3, 0.999}})
     EXPECT_TRUE(inRoom_m(screen.mesh, shown)) << shown.x << " " << shown.y;
-  for (const glm::dvec2& dark : {glm::dvec2(0.01, 0.99), {0.24, 0.6}}) EXPECT_FALSE(inRoom_m(screen.mesh, dark));
+  for (const glm::dvec2& dark : {glm::dvec2(0.01, 0.99), {0.24, 0.6}})
+    EXPECT_FALSE(inRoom_m(screen.mesh, dark));
 }
 
 TEST(MeshFaults, AreNamedWithTheirPlace) {
@@ -114,14 +117,16 @@ TEST(MeshFaults, AreNamedWithTheirPlace) {
   EXPECT_EQ(foldIn(whole.mesh), "");
   EXPECT_NE(largeCellIn(ofCells(cylinder(3.0, -60.0, 60.0, {970, 330}), 4, 8).mesh).find("an edge of 1.5"),
             std::string::npos);
-  EXPECT_NE(largeCellIn(gridOf(whole, 4, 8)).find("a cell of the mesh has an edge of 1.5"), std::string::npos);
+  EXPECT_NE(largeCellIn(gridOf(whole, 4, 8)).find("a cell of the mesh has an edge of 1.5"),
+            std::string::npos);
   // A point of the window beyond its neighbour.
   TrueScreen folded = whole;
   for (ScreenTriangle& triangle : folded.mesh) {
     for (ScreenPoint& point : triangle)
       if (glm::distance(point.inWindow, glm::dvec2(0.5, 0.5)) < 1e-9) point.inWindow.x = 0.58;
   }
-  EXPECT_NE(foldIn(folded.mesh).find("folds over itself in the window"), std::string::npos) << foldIn(folded.mesh);
+  EXPECT_NE(foldIn(folded.mesh).find("folds over itself in the window"), std::string::npos)
+      << foldIn(folded.mesh);
   TrueScreen bent = whole;
   for (ScreenTriangle& triangle : bent.mesh) {
     for (ScreenPoint& point : triangle)
@@ -134,7 +139,8 @@ TEST(MeshFaults, AreNamedWithTheirPlace) {
     ScreenTriangle& other = twice.mesh.emplace_back(triangle);
     for (ScreenPoint& point : other) point.inRoom_m.y += 5.0;
   }
-  EXPECT_NE(foldIn(twice.mesh).find("two parts of the mesh are at the same place of the window"), std::string::npos);
+  EXPECT_NE(foldIn(twice.mesh).find("two parts of the mesh are at the same place of the window"),
+            std::string::npos);
   double rim_m = 0.0;
   for (const auto& [from, to] : rimOf(whole.mesh)) rim_m += glm::distance(from.inRoom_m, to.inRoom_m);
   EXPECT_NEAR(rim_m, 2.0 * (2.5 + 3.0 * 120.0 * kDegree), 2e-2);
