@@ -1,7 +1,7 @@
 #include "app/file_keys/screen_keys.h"
 
 #include "app/file_keys/common_keys.h"
-#include "app/file_keys/rig_keys.h"
+#include "app/file_keys/length_units.h"
 #include "cave/screen/sky_screen.h"
 
 namespace carom {

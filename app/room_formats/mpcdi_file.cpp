@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/trigonometric.hpp>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -16,6 +12,7 @@
 #include <vector>
 
 #include "app/room_formats/mpcdi_archive.h"
+#include "app/room_formats/mpcdi_frustum.h"
 #include "app/room_formats/mpcdi_picture.h"
 #include "app/room_formats/part.h"
 #include "app/room_formats/room_parts.h"
@@ -31,9 +28,12 @@
 namespace carom {
 namespace {
 
-constexpr double kFlatAway_m = 3.0;    // of the walls that stand for pictures
-constexpr double kFlatHeight_m = 2.0;  // of the whole picture of profile 2d
 constexpr std::size_t kMostMap = std::size_t{128} << 20U;
+
+/// Marks parts as read that say nothing of a room, or only in some profiles.
+void markKnown(const Part& part, std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names) part.find(name);
+}
 
 enum class Profile { flat, angles, screen };
 
@@ -44,6 +44,25 @@ struct Region {
   const Part* files = nullptr;  ///< null: there are none
   std::string id;
 };
+
+/// Returns the part with the warp of a region; null if there is none.
+const Part* warpOfRegion(const Region& region) {
+  const Part* warp = region.files ? region.files->find("geometryWarpFile") : nullptr;
+  if (warp) warp->find("interpolation");
+  return warp;
+}
+
+/// Returns the length of the unit of a file; none, with an error noted, for another one.
+std::optional<double> unitOf(const Part& warp, Room& room) {
+  constexpr std::array<std::pair<std::string_view, double>, 5> kUnits{
+      {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}};
+  const std::string unit = warp.textOf("geometricUnit");
+  for (const auto& [name, metres] : kUnits)
+    if (alike(unit, name)) return metres;
+  addError(room, warp.placeOf("geometricUnit"),
+           fmt::format("the unit is '{}', expected mm, cm, m, in or ft", printable(unit)));
+  return {};
+}
 
 class MpcdiReading {
  public:
@@ -66,9 +85,9 @@ class MpcdiReading {
     refuseTwins(sets, "region", room_);
     for (const Part* display : root_.all("display")) {
       for (const Part* buffer : display->all("buffer")) {
-        markRead(*buffer, {"id", "xResolution", "yResolution", "Xresolution", "Yresolution"});
+        markKnown(*buffer, {"id", "xResolution", "yResolution", "Xresolution", "Yresolution"});
         for (const Part* part : buffer->all("region")) {
-          markRead(*part, {"x", "y", "xsize", "ysize"});
+          markKnown(*part, {"x", "y", "xsize", "ysize"});
           Region& region = all.emplace_back(Region{part, buffer, nullptr, part->textOf("id")});
           for (const Part* set : sets)
             if (set->textOf("region") == region.id) region.files = set;
@@ -78,28 +97,11 @@ class MpcdiReading {
     return all;
   }
 
-  /// Marks parts as read that say nothing of a room, or only in some profiles.
-  static void markRead(const Part& part, std::initializer_list<std::string_view> names) {
-    for (const std::string_view name : names) part.find(name);
-  }
-
-  /// Returns the pixels of a region, by either of the names that they go by.
-  std::optional<glm::ivec2> pixelsOf(const Part& region) {
-    constexpr Range kPixels{.least = 1.0, .most = kMostRoomPixels};
-    const bool isCapital = region.find("Xresolution") != nullptr;
-    const auto x = number(region, isCapital ? "Xresolution" : "xResolution", kPixels, true, room_),
-               y = number(region, isCapital ? "Yresolution" : "yResolution", kPixels, true, room_);
-    if (x && y) return glm::ivec2(static_cast<int>(*x), static_cast<int>(*y));
-    if (!room_.hasErrors())
-      addError(room_, region.at, "xResolution or yResolution is missing in region, expected both");
-    return {};
-  }
-
   void readRegion(const Region& region) {
     RoomWall wall;
     wall.wall.name = region.id.empty() ? "wall" : region.id;
     wall.at.wall = wall.at.name = wall.at.corner = wall.at.pixels = wall.at.window = region.part->at;
-    const auto pixels = pixelsOf(*region.part);
+    const auto pixels = mpcdiPixels(*region.part, room_);
     if (!pixels) return;
     wall.wall.pixels = wall.wall.window.size_px = *pixels;
     wall.wall.window.position_px.x = nextWindow_px_;
@@ -129,20 +131,14 @@ class MpcdiReading {
     }
   }
 
-  const Part* warpPart(const Region& region) {
-    const Part* warp = region.files ? region.files->find("geometryWarpFile") : nullptr;
-    if (warp) warp->find("interpolation");
-    return warp;
-  }
-
   void addScreen(const Region& region, RoomWall wall) {
-    const Part* warp = warpPart(region);
+    const Part* warp = warpOfRegion(region);
     if (!warp)
       return addError(room_, region.part->at,
                       fmt::format("region '{}' has no geometryWarpFile, expected the places of its screen",
                                   printable(region.id)));
     auto content = mapOf(*warp);
-    const auto unit_m = unitOf(*warp);
+    const auto unit_m = unitOf(*warp, room_);
     if (!content || !unit_m) return;
     placeOrigin(*warp);
     MeasuredScreen screen;
@@ -151,17 +147,6 @@ class MpcdiReading {
     screen.file = keep(".pfm", std::move(*content));
     screen.bytes = room_.files.back().content;
     addCurvedWall(std::move(wall), screen, room_);
-  }
-
-  std::optional<double> unitOf(const Part& warp) {
-    constexpr std::array<std::pair<std::string_view, double>, 5> kUnits{
-        {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}};
-    const std::string unit = warp.textOf("geometricUnit");
-    for (const auto& [name, metres] : kUnits)
-      if (alike(unit, name)) return metres;
-    addError(room_, warp.placeOf("geometricUnit"),
-             fmt::format("the unit is '{}', expected mm, cm, m, in or ft", printable(unit)));
-    return {};
   }
 
   /// Notes where the viewer and the floor are, by what the origin of the places is.
@@ -180,7 +165,7 @@ class MpcdiReading {
   /// Returns the name of the warp of a flat picture, written as the .vwf that a rig reads; empty if there is
   /// none, or, with an error noted, none that can be read.
   std::filesystem::path warpOf(const Region& region) {
-    const Part* warp = warpPart(region);
+    const Part* warp = warpOfRegion(region);
     if (!warp) return {};
     for (const char* ofScreens : {"geometricUnit", "originof3DData"}) warp->find(ofScreens);
     const auto content = mapOf(*warp);
@@ -231,7 +216,8 @@ class MpcdiReading {
   }
 
   void addFlat(const Region& region, RoomWall wall) {
-    const auto corners = profile_ == Profile::angles ? byAngles(region) : byShare(region);
+    const auto corners = profile_ == Profile::angles ? cornersByAngles(*region.part, room_)
+                                                     : cornersByShare(*region.part, *region.buffer, room_);
     if (!corners) return;
     addWarning(room_, region.part->at,
                fmt::format(
@@ -240,89 +226,6 @@ class MpcdiReading {
                    printable(region.id),
                    profile_ == Profile::angles ? "the point of its frustum" : "which the file does not say"));
     addWall(std::move(wall), *corners, room_);
-  }
-
-  /// Returns the corners of a wall that a frustum passes through.
-  std::optional<ReadCorners> byAngles(const Region& region) {
-    constexpr Range kAngle{.least = -89.0, .most = 89.0}, kTurn{.least = -360.0, .most = 360.0};
-    const Part* frustum = region.part->find("frustum");
-    if (!frustum) {
-      addError(room_, region.part->at,
-               fmt::format("region '{}' has no frustum, expected one", printable(region.id)));
-      return {};
-    }
-    std::array<std::optional<double>, 7> angles_deg;
-    constexpr std::array<const char*, 7> kNames{"leftAngle", "rightAngle", "downAngle", "upAngle",
-                                                "yaw",       "pitch",      "roll"};
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-      angles_deg[i] = number(*frustum, kNames[i], i < 4 ? kAngle : kTurn, false, room_);
-      if (angles_deg[i]) continue;
-      if (!frustum->find(kNames[i]))
-        addError(room_, frustum->at, fmt::format("{} is missing in frustum", kNames[i]));
-      return {};
-    }
-    const auto frame = frameOf(*region.part);
-    if (!frame) return {};
-    if (!(*angles_deg[0] < *angles_deg[1] && *angles_deg[2] < *angles_deg[3])) {
-      addError(room_, frustum->at,
-               "the angles leave no picture, expected left below right and down below up");
-      return {};
-    }
-    // Yaw to the right, pitch upwards, roll with the left side up: SAE's order, each about the turned axes.
-    const glm::dquat turn = glm::angleAxis(glm::radians(-*angles_deg[4]), glm::dvec3(0, 1, 0)) *
-                            glm::angleAxis(glm::radians(*angles_deg[5]), glm::dvec3(1, 0, 0)) *
-                            glm::angleAxis(glm::radians(-*angles_deg[6]), glm::dvec3(0, 0, 1));
-    const auto corner = [&](double x_deg, double y_deg) {
-      return *frame * (turn * (kFlatAway_m * glm::dvec3(std::tan(glm::radians(x_deg)),
-                                                        std::tan(glm::radians(y_deg)), -1.0)));
-    };
-    if (room_.viewers.empty())
-      room_.viewers.push_back({frame->position_m, frustum->at, "the point of the frustum"});
-    return ReadCorners{corner(*angles_deg[0], *angles_deg[2]), corner(*angles_deg[1], *angles_deg[2]),
-                       corner(*angles_deg[0], *angles_deg[3])};
-  }
-
-  /// Returns where a region's frustum begins and how its axes stand: at the origin if nothing is said.
-  std::optional<Pose> frameOf(const Part& region) {
-    const Part* frame = region.find("coordinateFrame");
-    if (!frame) return Pose{};
-    constexpr Range kFar{.least = -1e4, .most = 1e4};
-    std::array<glm::dvec3, 4> values{};
-    constexpr std::array<std::string_view, 4> kAxes{"pos", "yaw", "pitch", "roll"};
-    for (std::size_t i = 0; i < kAxes.size(); ++i) {
-      for (int axis = 0; axis < 3; ++axis) {
-        const std::string name = fmt::format("{}{}", kAxes[i], "xyz"[axis]);
-        const auto value = number(*frame, name, kFar, false, room_);
-        if (!value && !frame->find(name))
-          addError(room_, frame->at, fmt::format("{} is missing in coordinateFrame", name));
-        if (!value) return {};
-        values[i][axis] = *value;
-      }
-    }
-    const auto turn = rotationOf(glm::dmat3(values[2], -values[1], -values[3]));
-    if (turn) return Pose{values[0], *turn};
-    addError(room_, frame->at,
-             "the axes of coordinateFrame are no rotation, expected yaw down, pitch to the right and "
-             "roll forward at right angles");
-    return {};
-  }
-
-  /// Returns the corners of a region's part of the flat picture, which the file puts nowhere.
-  std::optional<ReadCorners> byShare(const Region& region) {
-    std::array<double, 4> share{0.0, 0.0, 1.0, 1.0};
-    constexpr std::array<std::string_view, 4> kNames{"x", "y", "xsize", "ysize"};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-      share[i] = number(*region.part, kNames[i], kShare, false, room_).value_or(share[i]);
-    const auto pixels = pixelsOf(*region.buffer);
-    if (!pixels || !(share[2] > 0.0 && share[3] > 0.0)) return {};
-    const double width_m = kFlatHeight_m * pixels->x / pixels->y;
-    const auto corner = [&](double x, double y) {
-      return glm::dvec3((x - 0.5) * width_m, kStandingEyes_m + (y - 0.5) * kFlatHeight_m, -kFlatAway_m);
-    };
-    if (room_.viewers.empty())
-      room_.viewers.push_back({{0.0, kStandingEyes_m, 0.0}, region.part->at, "a viewer"});
-    return ReadCorners{corner(share[0], share[1]), corner(share[0] + share[2], share[1]),
-                       corner(share[0], share[1] + share[3])};
   }
 
   const MpcdiArchive& archive_;
@@ -343,11 +246,11 @@ void stateAssumptions(Profile profile, Room& room) {
   room.assumptions.push_back(
       profile == Profile::angles
           ? fmt::format("lengths are metres; the file gives angles: the walls stand {:g} m from their points",
-                        kFlatAway_m)
+                        kMpcdiAway_m)
           : fmt::format("the file says nothing of the room: the picture is {:g} m high, {:g} m ahead, at the "
                         "height of "
                         "the eyes",
-                        kFlatHeight_m, kFlatAway_m));
+                        kMpcdiHeight_m, kMpcdiAway_m));
 }
 
 }  // namespace

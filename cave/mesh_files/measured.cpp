@@ -37,9 +37,11 @@ std::vector<glm::dvec3> placesOf(const ScreenMesh& mesh) {
 }
 
 std::vector<glm::dvec3> placesOf(const ScreenGrid& grid) {
+  constexpr std::size_t kEnough = 10'000;  // to tell where the screen is
+  const std::size_t step = std::max<std::size_t>(1, grid.places.size() / kEnough);
   std::vector<glm::dvec3> places;
-  for (const glm::vec3& place : grid.places)
-    if (!std::isnan(place.x)) places.emplace_back(place);
+  for (std::size_t i = 0; i < grid.places.size(); i += step)
+    if (!std::isnan(grid.places[i].x)) places.emplace_back(grid.places[i]);
   return places;
 }
 
@@ -70,6 +72,7 @@ glm::dvec3 facingOf(const ScreenGrid& grid) {
 std::vector<glm::dvec3> eyesBefore(const std::vector<glm::dvec3>& places, const glm::dvec3& facing,
                                    const MeasuredWishes& wishes) {
   glm::dvec3 middle_m(0.0);
+  if (places.empty()) return eyesAround(wishes.eyes_m * wishes.up, wishes.up, wishes.reach_m);
   for (const glm::dvec3& place : places) middle_m += place / static_cast<double>(places.size());
   double width_m = 0.0;
   for (const glm::dvec3& place : places) width_m = std::max(width_m, glm::distance(place, middle_m));

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,13 +29,13 @@ void requireCells(const ScreenGrid& grid) {
 MeasuredPlaces parsed(const std::string& ending, const std::string& content, GridRows rows) {
   if (ending == ".obj") return parseObjScreen(content);
   if (ending == ".pfm") return parsePfmScreen(content, rows);
-  const VwfFile file = parseVwf(content);
+  VwfFile file = parseVwf(content);
   if (!file.isScreen)
     meshFault(
         1, 1,
         "the file has no screen (flag 0x40), only the warp of a flat picture, expected a screen: the key "
         "warp takes it");
-  ScreenGrid grid = screenGridOf(file);
+  ScreenGrid grid = screenGridOf(std::move(file));
   requireCells(grid);
   return grid;
 }

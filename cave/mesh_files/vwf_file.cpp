@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -229,14 +230,13 @@ Warp warpOf(const VwfFile& file) {
   return {mesh, mesh};
 }
 
-ScreenGrid screenGridOf(const VwfFile& file) {
-  ScreenGrid grid{file.columns, file.rows, {}};
-  grid.places.reserve(file.points.size());
-  for (int row = file.rows; row-- > 0;) {
+ScreenGrid screenGridOf(VwfFile file) {
+  for (int row = 0; row < file.rows / 2; ++row) {  // its rows are from the top
     const auto from = file.points.begin() + static_cast<std::ptrdiff_t>(row) * file.columns;
-    grid.places.insert(grid.places.end(), from, from + file.columns);
+    std::swap_ranges(from, from + file.columns,
+                     file.points.end() - static_cast<std::ptrdiff_t>(row + 1) * file.columns);
   }
-  return grid;
+  return {file.columns, file.rows, std::move(file.points)};
 }
 
 std::string vwfOf(const glm::ivec2& size, const std::vector<glm::vec2>& inPicture) {

@@ -36,7 +36,7 @@ VwfFile parseVwf(std::string_view content);
 Warp warpOf(const VwfFile& file);
 
 /// Returns a file's screen.
-ScreenGrid screenGridOf(const VwfFile& file);
+ScreenGrid screenGridOf(VwfFile file);
 
 /// Returns the bytes of a file with the places of a picture, in the order and from the corner of
 /// VwfFile::points.

@@ -28,6 +28,15 @@ glm::dvec3 between(const std::array<glm::dvec3, 4>& p, double t) {
          t * t * t * (1.5 * (p[1] - p[2]) + 0.5 * (p[3] - p[0]));
 }
 
+/// Returns the point `share` of a cell beyond the last point, `a`, before which are `b` and `c`: Lagrange's
+/// parabola through them, or the line through two. None (NaN) where there are not so many.
+glm::dvec3 beyond(const glm::dvec3& a, const glm::dvec3& b, glm::dvec3 c, double share) {
+  if (!isThere(a) || !isThere(b)) return glm::dvec3(kNaN);
+  if (!isThere(c)) c = 2.0 * b - a;
+  return 0.5 * (share + 1.0) * (share + 2.0) * a - share * (share + 2.0) * b +
+         0.5 * share * (share + 1.0) * c;
+}
+
 /// The points of one line of a grid, as a curve.
 class GridLine {
  public:
@@ -40,7 +49,7 @@ class GridLine {
     const int low = std::clamp(static_cast<int>(std::floor(at)), 0, last - 1);
     const double share = at - low;
     if (share < 0.0 || share > 1.0)
-      return beyond(share < 0.0 ? 0 : last, share < 0.0 ? 1 : -1, share < 0.0 ? -share : share - 1.0);
+      return beyondEnd(share < 0.0 ? 0 : last, share < 0.0 ? 1 : -1, share < 0.0 ? -share : share - 1.0);
     if (share == 0.0) return points_[static_cast<std::size_t>(low)];
     if (share == 1.0) return points_[static_cast<std::size_t>(low) + 1];
     const glm::dvec3 from = point(low), to = point(low + 1);
@@ -60,14 +69,9 @@ class GridLine {
   static glm::dvec3 continued(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return isThere(c) ? 3.0 * a - 3.0 * b + c : 2.0 * a - b;
   }
-  /// Returns the point `share` of a cell beyond an end: Lagrange's parabola through the last three points.
-  glm::dvec3 beyond(int end, int inwards, double share) const {
-    const glm::dvec3 a = point(end), b = point(end + inwards);
-    if (!isThere(a) || !isThere(b)) return glm::dvec3(kNaN);
-    glm::dvec3 c = point(end + 2 * inwards);
-    if (!isThere(c)) c = 2.0 * b - a;
-    return 0.5 * (share + 1.0) * (share + 2.0) * a - share * (share + 2.0) * b +
-           0.5 * share * (share + 1.0) * c;
+  /// Returns the point `share` of a cell beyond an end.
+  glm::dvec3 beyondEnd(int end, int inwards, double share) const {
+    return beyond(point(end), point(end + inwards), point(end + 2 * inwards), share);
   }
 
   std::vector<glm::dvec3> points_;
@@ -76,10 +80,10 @@ class GridLine {
 /// Points of a screen on lines across and up the window.
 struct Net {
   std::vector<double> across, up;  ///< places of the lines in the window
-  std::vector<glm::dvec3> places;  ///< row by row from below; NaN: none
+  std::vector<glm::vec3> places;   ///< row by row from below; NaN: none
 
-  const glm::dvec3& at(std::size_t column, std::size_t row) const {
-    return places[row * across.size() + column];
+  glm::dvec3 at(std::size_t column, std::size_t row) const {
+    return glm::dvec3(places[row * across.size() + column]);
   }
 };
 
@@ -113,7 +117,36 @@ Net netOf(const ScreenGrid& grid, int finer) {
     std::vector<glm::dvec3> points;
     for (const auto& along : alongRows) points.push_back(along[i]);
     const GridLine line(std::move(points));
-    for (std::size_t j = 0; j < rows.size(); ++j) net.places[j * columns.size() + i] = line(rows[j]);
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      net.places[j * columns.size() + i] = glm::vec3(line(rows[j]));
+  }
+  return net;
+}
+
+/// Returns the net of a grid's own points and of the window's rim.
+Net netOf(const ScreenGrid& grid) {
+  Net net;
+  for (const double column : linesOf(grid.columns, 1)) net.across.push_back((column + 0.5) / grid.columns);
+  for (const double row : linesOf(grid.rows, 1)) net.up.push_back((row + 0.5) / grid.rows);
+  const std::size_t width = net.across.size(), height = net.up.size();
+  net.places.assign(width * height, glm::vec3(static_cast<float>(kNaN)));
+  const auto continued = [&](std::size_t from, std::size_t step, std::size_t count) {
+    const glm::dvec3 c = count > 2 ? glm::dvec3(net.places[from + 2 * step]) : glm::dvec3(kNaN);
+    constexpr double kHalfCell = 0.5;
+    return glm::vec3(beyond(glm::dvec3(net.places[from]), glm::dvec3(net.places[from + step]), c, kHalfCell));
+  };
+  const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
+  const std::size_t back = static_cast<std::size_t>(0) - 1, down = static_cast<std::size_t>(0) - width;
+  for (std::size_t row = 1; row <= rows; ++row) {
+    const std::size_t first = row * width + 1, last = row * width + columns;
+    std::copy_n(grid.places.begin() + static_cast<std::ptrdiff_t>((row - 1) * columns), columns,
+                net.places.begin() + static_cast<std::ptrdiff_t>(first));
+    net.places[first - 1] = continued(first, 1, columns);
+    net.places[last + 1] = continued(last, back, columns);
+  }
+  for (std::size_t column = 0; column < width; ++column) {
+    net.places[column] = continued(width + column, width, rows);
+    net.places[(rows + 1) * width + column] = continued(rows * width + column, down, rows);
   }
   return net;
 }
@@ -206,7 +239,7 @@ bool hasCell(const ScreenGrid& grid) {
 GridMesh meshOf(const ScreenGrid& grid, const glm::ivec2& window_px, std::span<const glm::dvec3> eyes_m) {
   constexpr double kMostSlide_px = 0.1, kFlat_px = 0.02;
   const auto cells = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
-  const Net coarse = netOf(grid, 1);
+  const Net coarse = netOf(grid);
   if (cells > kMostCells) {
     ScreenMesh mesh;
     for (double flat_px = kFlat_px; mesh.empty() && flat_px < 1.0; flat_px *= 2.0)
