@@ -13,7 +13,6 @@ namespace carom {
 inline constexpr int kMostRanks = 4096;
 inline constexpr std::size_t kMostWalls = 512, kMostTrackers = 256;
 
-
 /// In the order of StereoMode and of Flip (cave/room/wall.h).
 inline constexpr std::array<std::string_view, 10> kStereoModes{
     "mono",       "left",     "right",      "quad-buffer",  "side-by-side",

@@ -121,8 +121,8 @@ TEST(WallPointer, APictureByDirectionIsPointedIntoFromItsPlace) {
   EXPECT_FALSE(pointedIn(wall, kPane, glm::dvec2(kPane.position_px) + 2.0)) << "beside the circle";
 }
 
-// On a measured screen the pointer finds the place of the room that its pixel shows, and nothing where there is
-// no screen.
+// On a measured screen the pointer finds the place of the room that its pixel shows, and nothing where there
+// is no screen.
 TEST(WallPointer, AMeasuredScreenIsPointedAtWhereItIs) {
   test::TrueScreen arc = test::cylinder(3.0, -40.0, 50.0, {800, 600});
   arc.isScreen = [](const glm::dvec2& at) { return at.x < 0.8; };
@@ -137,7 +137,8 @@ TEST(WallPointer, AMeasuredScreenIsPointedAtWhereItIs) {
     ASSERT_TRUE(pointed);
     EXPECT_LT(glm::distance(pointed->onWall_m, arc.placeOn_m({share.x, 1.0 - share.y})), 2e-3);
   }
-  EXPECT_FALSE(pointedIn(wall, kPane, glm::dvec2(kPane.position_px) + glm::dvec2(0.9, 0.5) * glm::dvec2(kPane.size_px)));
+  EXPECT_FALSE(pointedIn(wall, kPane,
+                         glm::dvec2(kPane.position_px) + glm::dvec2(0.9, 0.5) * glm::dvec2(kPane.size_px)));
 }
 
 }  // namespace
