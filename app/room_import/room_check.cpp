@@ -142,7 +142,7 @@ std::vector<Finding> judgeRoom(const Room& room) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!room.walls[i].wall.screen && !room.walls[j].wall.screen)
         judgePair(room.walls[j], room.walls[i], verdict);
-      else
+      else if (!ends.empty())
         judgeRims(room.walls[j], room.walls[i], ends[j], ends[i], verdict);
     }
   }

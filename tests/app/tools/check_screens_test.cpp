@@ -88,6 +88,16 @@ TEST(CheckScreens, AScreenThatTurnsItsBackIsAnError) {
   expectHas(said(folder, wall("arc", "bulge.pfm"), 1), "is behind the whole screen of wall 'arc'");
 }
 
+TEST(CheckScreens, PicturesByDirectionHaveNoRims) {
+  const TemporaryFolder folder;
+  const auto sky = [](const std::string& name) {
+    return "[[wall]]\nname = '" + name + "'\npixels = [400, 400]\nsky = { kind = 'fisheye' }\n";
+  };
+  expectLacks(said(folder, sky("one") + sky("two")), "rims");
+  folder.file("arc.obj", test::objText(60, 24, arc(-40.0, 40.0)));
+  expectLacks(said(folder, sky("one") + wall("two", "arc.obj")), "rims");
+}
+
 TEST(CheckScreens, NeighboursMeetAtTheirRims) {
   const TemporaryFolder folder;
   folder.file("left.obj", test::objText(60, 24, arc(-80.0, 0.0)));
