@@ -175,7 +175,7 @@ FileKey headset() {
 }
 
 FileKey mesh(std::string_view name, std::string_view sentence) {
-  return fitting("\\.(pfm|obj)$", text(name, sentence));
+  return fitting("\\.(pfm|obj|csv|xml|simcad|sgc|data|vwf)$", text(name, sentence));
 }
 
 /// Returns the keys of a projector.
@@ -187,16 +187,18 @@ Keys projectorKeys() {
       "meshes of the "
       "colours come all three or not at all, and then without warp";
   return {
-      mesh("warp", "mesh that bends the picture to the screen, a PFM or OBJ as SGCT reads them"),
+      mesh("warp",
+           "mesh that bends the picture to the screen: a PFM or OBJ as SGCT reads them, .csv of "
+           "domeprojection, .xml or .simcad of SimCAD, .sgc of SCISS, .data of Paul Bourke, .vwf of VIOSO"),
       mesh("warp_red", kTogether),
       mesh("warp_green", kTogether),
       mesh("warp_blue", kTogether),
       fitting(
-          "\\.(png|jpe?g|tiff?)$",
-          text(
-              "blend",
-              "picture (.png, .tif, .jpg), stretched over the window: the share of light that passes at each "
-              "place, where projectors overlap")),
+          "\\.(png|jpe?g|tiff?|vwf)$",
+          text("blend",
+               "picture (.png, .tif, .jpg, or that in a .vwf), stretched over the window: the share of light "
+               "that passes at each place, where projectors overlap; left out: that of a .vwf of its warp "
+               "or screen")),
       number("black_level", kShare,
              "the light to which black is lifted, as a share of the brightest; give all projectors of a "
              "screen that of "

@@ -5,17 +5,13 @@
 #include <string_view>
 
 #include "app/file_keys/file_key.h"
+#include "app/file_keys/length_units.h"
 
 namespace carom {
 
 /// The most of each in a room. Every two walls are compared with each other.
 inline constexpr int kMostRanks = 4096;
 inline constexpr std::size_t kMostWalls = 512, kMostTrackers = 256;
-
-/// Units of lengths, and what they are in metres.
-inline constexpr std::array<std::string_view, 5> kLengthUnits{"mm", "cm", "in", "ft", "m"};
-inline constexpr std::array<double, 5> kMetresPerUnit{1e-3, 1e-2, 0.0254, 0.3048, 1.0};
-inline constexpr std::size_t kFoot = 3, kMetre = 4;
 
 /// In the order of StereoMode and of Flip (cave/room/wall.h).
 inline constexpr std::array<std::string_view, 10> kStereoModes{

@@ -1,6 +1,7 @@
 #include "app/file_keys/screen_keys.h"
 
 #include "app/file_keys/common_keys.h"
+#include "app/file_keys/length_units.h"
 #include "cave/screen/sky_screen.h"
 
 namespace carom {
@@ -15,23 +16,33 @@ FileKey screen() {
   const auto length = [](std::string_view name, const Range& range, std::string_view sentence) {
     return inUnit(kUnitOfRig, number(name, range, sentence));
   };
-  return table("screen", "a curved screen, in the place of corners, seen from inside",
-               {required(choice("shape", {"cylinder", "dome"},
-                                "part of a cylinder, or of a sphere, whose window is the circle "
-                                "of a fisheye with the front at its bottom")),
-                corner("foot", "of a cylinder: a point of its axis, from which heights are counted"),
-                numbers("axis", 3, {}, "of a cylinder: the direction of its axis, upwards"),
-                corner("centre", "of a dome"), length("radius", kPositive, "of the cylinder or dome"),
-                number("from_deg", kAngle,
-                       "of a cylinder: where its window's left edge is, about the axis from the room's "
-                       "forward direction, positive to the right"),
-                number("to_deg", kAngle, "of a cylinder: its window's right edge"),
-                length("bottom", {}, "of a cylinder: its window's lower edge, along the axis"),
-                length("top", {}, "of a cylinder: its window's upper edge"),
-                number("fov_deg", kFov, "of a dome: the angle across its window's circle", 180.0),
-                number("tilt_deg", kAngle, "of a dome: by how much its axis leans forward from upright", 0.0),
-                number("heading_deg", kAngle,
-                       "of a dome: where its front is, to the right of the room's forward direction", 0.0)});
+  return table(
+      "screen", "a curved screen, in the place of corners, seen from inside",
+      {required(choice("shape", {"cylinder", "dome", "mesh", "grid"},
+                       "part of a cylinder; of a sphere, whose window is the circle of a fisheye "
+                       "with the front at its bottom; or measured, as triangles or at the points "
+                       "of a grid")),
+       corner("foot", "of a cylinder: a point of its axis, from which heights are counted"),
+       numbers("axis", 3, {}, "of a cylinder: the direction of its axis, upwards"),
+       corner("centre", "of a dome"), length("radius", kPositive, "of the cylinder or dome"),
+       number("from_deg", kAngle,
+              "of a cylinder: where its window's left edge is, about the axis from the room's "
+              "forward direction, positive to the right"),
+       number("to_deg", kAngle, "of a cylinder: its window's right edge"),
+       length("bottom", {}, "of a cylinder: its window's lower edge, along the axis"),
+       length("top", {}, "of a cylinder: its window's upper edge"),
+       number("fov_deg", kFov, "of a dome: the angle across its window's circle", 180.0),
+       number("tilt_deg", kAngle, "of a dome: by how much its axis leans forward from upright", 0.0),
+       number("heading_deg", kAngle,
+              "of a dome: where its front is, to the right of the room's forward direction", 0.0),
+       fitting("\\.(obj|pfm|vwf)$",
+               text("file",
+                    "of a mesh, an OBJ: v are places of the screen, vt of the window, 0 to 1 from its "
+                    "lower left; of a grid, a PFM with x, y, z at the middles of its cells, NaN where "
+                    "there is no screen, or a .vwf of VIOSO")),
+       choice("rows", {"bottom", "top"}, "of a PFM: which edge of the window its first row is at", 0),
+       choice("unit", kLengthUnits, "of the file's lengths; left out: the rig's"),
+       pose("room_from_screen", "of a mesh or grid: takes the file's coordinates to the room's")});
 }
 
 FileKey sky() {

@@ -99,7 +99,9 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   file.throwFaults();
   for (WallText& text : walls) {
     straighten(text);
-    if (text.screen && !curve(*text.screen, rig.axes, text.wall)) refusePieces(*text.screen, text.table);
+    if (text.screen) {
+      if (const auto fault = curve(*text.screen, rig.axes, text.wall)) refuseScreen(*fault, text.table);
+    }
     rig.walls.push_back(text.wall);
   }
   file.throwFaults();

@@ -11,10 +11,13 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "app/file_keys/rig_keys.h"
 #include "app/files/toml_values.h"
+#include "cave/mesh_files/measured.h"
 #include "cave/room/rectangle.h"
 #include "cave/screen/curved_screen.h"
 
@@ -100,6 +103,23 @@ SkyText readSky(const TomlTable& table, const RoomAxes& axes, double unit_m) {
   return text;
 }
 
+MeasuredScreen readMeasured(const TomlFile& file, const TomlTable& table, bool isGrid, double unit_m) {
+  MeasuredScreen screen;
+  screen.isGrid = isGrid;
+  screen.unit_m = table.has("unit") ? kMetresPerUnit[table.choice("unit")] : unit_m;
+  screen.rows = static_cast<GridRows>(table.choice("rows"));
+  screen.roomFromScreen = readPose(table, "room_from_screen", unit_m);
+  if (!isGrid) table.refuse("rows", "is of a grid, expected none");
+  screen.file = file.existingFile(table, "file", isGrid ? InputKind::screenGrid : InputKind::screenMesh,
+                                  Reach::anywhere);
+  const std::string ending = screen.file.extension().string();
+  const bool isKnown = isGrid ? ending == ".pfm" || ending == ".vwf" : ending == ".obj";
+  if (!screen.file.empty() && !isKnown)
+    table.fault("file", fmt::format("file is '{}', expected a file ending in {}",
+                                    screen.file.filename().string(), isGrid ? ".pfm or .vwf" : ".obj"));
+  return screen;
+}
+
 /// Returns the place at the height of the eyes where a line from them meets a screen, `turn_rad` to the right
 /// of ahead and `rise_rad` above, or none.
 std::optional<glm::dvec3> onScreens_m(const Rig& rig, const glm::dvec3& eyes_m, double turn_rad,
@@ -169,7 +189,8 @@ double sagittaFor_m(const ScreenFormula& shape) {
   return std::max(kUsualSagitta_m, least_m);
 }
 
-std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes& axes, double unit_m) {
+std::optional<ScreenText> readScreen(const TomlFile& file, const TomlTable& wallTable, const RoomAxes& axes,
+                                     double unit_m) {
   const auto table = wallTable.table("screen");
   const auto sky = table ? std::nullopt : wallTable.table("sky");
   const auto refuse = [&](std::initializer_list<const char*> keys, const char* why) {
@@ -190,11 +211,14 @@ std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes&
   }
   refuse({"warp", "warp_red", "warp_green", "warp_blue"}, "is of a flat wall, expected none beside screen");
   refuse({"sky"}, "is of a wall without a screen, expected one of them");
-  if (table->choice("shape") == 0) {
+  const std::size_t shape = table->choice("shape");
+  constexpr std::size_t kDome = 1, kGrid = 3;
+  if (shape == 0)
     text.shape = readCylinder(*table, axes, unit_m);
-  } else {
+  else if (shape == kDome)
     text.shape = readDome(*table, axes, unit_m);
-  }
+  else
+    text.shape = readMeasured(file, *table, shape == kGrid, unit_m);
   if (wallTable.has("facet_sagitta")) text.sagitta_m = wallTable.number("facet_sagitta") * unit_m;
   return text;
 }
@@ -216,26 +240,49 @@ CurvedScreen screenOf(const SkyText& sky, const ScreenText& text, const glm::ive
   return screenOf(sky.sky, window_px, text.texelsPerPixel);
 }
 
-}  // namespace
-
-bool curve(const ScreenText& text, const RoomAxes& axes, Wall& wall) {
-  auto screen = std::make_shared<CurvedScreen>(
-      std::visit([&](const auto& shape) { return screenOf(shape, text, wall.pixels, axes); }, text.shape));
-  const ScreenMesh& mesh = screen->mesh;
-  wall.lowerLeft_m = mesh.front()[0].inRoom_m;
-  wall.lowerRight_m = mesh.back()[1].inRoom_m;
-  wall.upperLeft_m = mesh[mesh.size() / 2][2].inRoom_m;
-  if (const auto* sky = std::get_if<SkyText>(&text.shape)) wall.sky = sky->eyes;
-  wall.screen = std::move(screen);
-  return !wall.screen->pieces.empty();
+CurvedScreen screenOf(const MeasuredScreen& measured, const ScreenText& text, const glm::ivec2& window_px,
+                      const RoomAxes& axes) {
+  return screenOf(measured, {window_px, text.texelsPerPixel, text.sagitta_m, axes.up, kEyes_m, kReach_m});
 }
 
-void refusePieces(const ScreenText& text, const TomlTable& wallTable) {
-  wallTable.fault(
-      "facet_sagitta",
-      fmt::format("the screen is deeper than {:.0f} mm in more than {} flat pieces, expected a larger "
-                  "facet_sagitta",
-                  text.sagitta_m * 1e3, kMostPieces));
+/// Returns the place of the screen that is nearest to a corner of the window.
+glm::dvec3 cornerOf_m(const ScreenMesh& mesh, const glm::dvec2& corner) {
+  const ScreenPoint* nearest = &mesh.front()[0];
+  for (const ScreenTriangle& triangle : mesh) {
+    for (const ScreenPoint& point : triangle)
+      if (glm::distance(point.inWindow, corner) < glm::distance(nearest->inWindow, corner)) nearest = &point;
+  }
+  return nearest->inRoom_m;
+}
+
+}  // namespace
+
+std::optional<ScreenFault> curve(const ScreenText& text, const RoomAxes& axes, Wall& wall) {
+  std::shared_ptr<CurvedScreen> screen;
+  try {
+    screen = std::make_shared<CurvedScreen>(
+        std::visit([&](const auto& shape) { return screenOf(shape, text, wall.pixels, axes); }, text.shape));
+  } catch (const std::runtime_error& fault) {
+    return ScreenFault{true, fault.what()};
+  }
+  const ScreenMesh& mesh = screen->mesh;
+  wall.lowerLeft_m = cornerOf_m(mesh, {0, 0});
+  wall.lowerRight_m = cornerOf_m(mesh, {1, 0});
+  wall.upperLeft_m = cornerOf_m(mesh, {0, 1});
+  if (const auto* sky = std::get_if<SkyText>(&text.shape)) wall.sky = sky->eyes;
+  wall.screen = std::move(screen);
+  if (!wall.screen->pieces.empty()) return std::nullopt;
+  return ScreenFault{
+      false, fmt::format("the screen is deeper than {:.0f} mm in more than {} flat pieces, expected a larger "
+                         "facet_sagitta",
+                         text.sagitta_m * 1e3, kMostPieces)};
+}
+
+void refuseScreen(const ScreenFault& fault, const TomlTable& wallTable) {
+  if (const auto screen = wallTable.table("screen"); fault.isOfFile && screen)
+    screen->fault("file", fault.what);
+  else
+    wallTable.fault("facet_sagitta", fault.what);
 }
 
 std::optional<Wall> readPanel(const TomlTable& root, double unit_m) {

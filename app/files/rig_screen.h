@@ -3,11 +3,13 @@
 // where no flat wall does.
 
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "app/files/rig.h"
 #include "app/files/toml_file.h"
 #include "cave/room/sky_eyes.h"
+#include "cave/screen/measured_screen.h"
 #include "cave/screen/screen_shape.h"
 #include "cave/screen/sky_screen.h"
 
@@ -21,7 +23,8 @@ struct SkyText {
   SkyEyes eyes;
 };
 
-using ScreenFormula = std::variant<CylinderScreen, DomeScreen, SkyText>;
+/// What a screen is made of: its formula, or the file with its places.
+using ScreenFormula = std::variant<CylinderScreen, DomeScreen, SkyText, MeasuredScreen>;
 
 /// A curved screen or a picture by direction as given in the file, before it is divided into flat pieces.
 struct ScreenText {
@@ -40,16 +43,23 @@ double sagittaFor_m(const ScreenFormula& shape);
 /// room's right where the axis points forward.
 glm::dvec3 aheadOf(const glm::dvec3& axis, const RoomAxes& axes);
 
-/// Reads the `screen` or `sky` of a wall, or none.
-std::optional<ScreenText> readScreen(const TomlTable& wallTable, const RoomAxes& axes, double unit_m);
+/// Reads the `screen` or `sky` of a wall, or none; `file` is the one that has it.
+std::optional<ScreenText> readScreen(const TomlFile& file, const TomlTable& wallTable, const RoomAxes& axes,
+                                     double unit_m);
+
+/// Why a wall may not have a screen.
+struct ScreenFault {
+  bool isOfFile = false;  ///< of the file with its places; else of its facet_sagitta
+  std::string what;
+};
 
 /// Sets the screen of a wall, whose corners become three of the screen's places. Call it once the wall has
-/// its pixels and all numbers are sound. Returns whether a rig may have it: it takes no more than kMostPieces
-/// flat pieces.
-bool curve(const ScreenText& text, const RoomAxes& axes, Wall& wall);
+/// its pixels and all numbers are sound. Returns why a rig may not have it: it takes more than kMostPieces
+/// flat pieces, or its file cannot be read or drawn; then the wall stays flat.
+std::optional<ScreenFault> curve(const ScreenText& text, const RoomAxes& axes, Wall& wall);
 
-/// Records that a wall takes too many flat pieces.
-void refusePieces(const ScreenText& text, const TomlTable& wallTable);
+/// Records why a wall may not have its screen.
+void refuseScreen(const ScreenFault& fault, const TomlTable& wallTable);
 
 /// Returns the board that a rig's `[panel]` describes, or none.
 std::optional<Wall> readPanel(const TomlTable& root, double unit_m);

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <glm/trigonometric.hpp>
 #include <stdexcept>
 
 #include "app/file_keys/rig_keys.h"
@@ -14,18 +13,6 @@
 
 namespace carom {
 namespace {
-
-/// Reads { translation, rotation_deg }: rotations about the fixed x, then y, then z axis, then the
-/// translation.
-Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
-  const auto table = parent.table(key);
-  if (!table) return {};
-  const glm::dvec3 turn_rad = glm::radians(toVec3(table->numbers<3>("rotation_deg")));
-  const glm::dquat aboutX = glm::angleAxis(turn_rad.x, glm::dvec3(1, 0, 0));
-  const glm::dquat aboutY = glm::angleAxis(turn_rad.y, glm::dvec3(0, 1, 0));
-  const glm::dquat aboutZ = glm::angleAxis(turn_rad.z, glm::dvec3(0, 0, 1));
-  return {toVec3(table->numbers<3>("translation")) * unit_m, aboutZ * aboutY * aboutX};
-}
 
 /// Reads and checks the source of a tracker's samples.
 std::filesystem::path readSource(const TomlFile& file, const TomlTable& table, TrackerKind kind,

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <variant>
 
 #include "app/files/toml_values.h"
+#include "cave/mesh_files/screen_file.h"
+#include "cave/mesh_files/warp_file.h"
 #include "cave/process/work_budget.h"
-#include "cave/room/warp_mesh.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -36,7 +39,8 @@ void readWallWindow(const TomlTable& table, bool hasOneWindow, Wall& wall) {
 std::filesystem::path readWallFile(const TomlFile& file, const TomlTable& table, std::string_view key,
                                    std::span<const std::string_view> kinds) {
   if (!table.has(key)) return {};
-  const InputKind kind = key == "blend" ? InputKind::blend : InputKind::warp;
+  const InputKind usual = key == "blend" ? InputKind::blend : InputKind::warp;
+  const InputKind kind = table.text(key).ends_with(".vwf") ? InputKind::screenGrid : usual;
   const std::filesystem::path found = file.existingFile(table, key, kind, Reach::anywhere);
   const std::string ending = found.extension().string();
   if (!found.empty() && std::find(kinds.begin(), kinds.end(), ending) == kinds.end()) {
@@ -47,10 +51,11 @@ std::filesystem::path readWallFile(const TomlFile& file, const TomlTable& table,
 }
 
 /// Reads the name of a warp mesh and checks that the mesh can be read; a fault gives the position in it.
-std::filesystem::path readWallWarp(const TomlFile& file, const TomlTable& table, std::string_view key) {
-  constexpr std::array<std::string_view, 2> kMeshes{".pfm", ".obj"};
-  const std::filesystem::path warp = readWallFile(file, table, key, kMeshes);
-  if (warp.extension() != ".pfm" && warp.extension() != ".obj") return warp;  // none, or has been reported
+std::filesystem::path readWallWarp(const TomlFile& file, const TomlTable& table, std::string_view key,
+                                   const glm::ivec2& window_px) {
+  const std::filesystem::path warp = readWallFile(file, table, key, kWarpEndings);
+  if (std::find(kWarpEndings.begin(), kWarpEndings.end(), warp.extension().string()) == kWarpEndings.end())
+    return warp;  // none, or has been reported
   constexpr std::uintmax_t kMostExamined = 32U << 20U;
   constexpr double kOfOne_s = 0.5;
   std::error_code failed;
@@ -62,7 +67,7 @@ std::filesystem::path readWallWarp(const TomlFile& file, const TomlTable& table,
     return warp;
   }
   try {
-    readWarp(warp);
+    readWarp(warp, glm::max(window_px, 1));
   } catch (const std::runtime_error& fault) {
     table.fault(key, fault.what());
   }
@@ -74,7 +79,7 @@ void readColourWarps(const TomlFile& file, const TomlTable& table, Wall& wall) {
   constexpr std::array<std::string_view, 3> kKeys{"warp_red", "warp_green", "warp_blue"};
   const bool any = table.has(kKeys[0]) || table.has(kKeys[1]) || table.has(kKeys[2]);
   for (std::size_t colour = 0; any && colour < kKeys.size(); ++colour) {
-    wall.colourWarps[colour] = readWallWarp(file, table, kKeys[colour]);
+    wall.colourWarps[colour] = readWallWarp(file, table, kKeys[colour], wall.pixels);
     if (table.has(kKeys[colour])) continue;
     table.fault(
         table.place(),
@@ -98,7 +103,7 @@ void readColours(const TomlTable& table, Wall& wall) {
 
 /// Reads the settings of the projector's light, its mirroring and its latency.
 void readLight(const TomlFile& file, const TomlTable& table, Wall& wall) {
-  constexpr std::array<std::string_view, 5> kPictures{".png", ".jpg", ".jpeg", ".tif", ".tiff"};
+  constexpr std::array<std::string_view, 6> kPictures{".png", ".jpg", ".jpeg", ".tif", ".tiff", ".vwf"};
   wall.blend = readWallFile(file, table, "blend", kPictures);
   wall.blackLevel = table.number("black_level");
   readColours(table, wall);
@@ -108,7 +113,7 @@ void readLight(const TomlFile& file, const TomlTable& table, Wall& wall) {
 
 /// Reads the settings of the projector, between the image and the screen.
 void readProjector(const TomlFile& file, const TomlTable& table, Wall& wall) {
-  wall.warp = readWallWarp(file, table, "warp");
+  wall.warp = readWallWarp(file, table, "warp", wall.pixels);
   readColourWarps(file, table, wall);
   readLight(file, table, wall);
 }
@@ -133,6 +138,12 @@ void readCorners(const TomlTable& table, double unit_m, WallText& text) {
   }
 }
 
+/// Returns the file with the warp or the screen of a wall; empty if there is none.
+std::filesystem::path measuredFileOf(const std::optional<ScreenText>& screen, const Wall& wall) {
+  const auto* measured = screen ? std::get_if<MeasuredScreen>(&screen->shape) : nullptr;
+  return measured ? measured->file : wall.warp;
+}
+
 }  // namespace
 
 WindowPlacement readWindow(const TomlTable& table) {
@@ -152,7 +163,7 @@ WindowPlacement readWindow(const TomlTable& table) {
 
 WallText readWall(const TomlFile& file, const TomlTable& table, const RoomAxes& axes, double unit_m,
                   bool hasOneWindow) {
-  WallText text{table, {}, {}, false, readScreen(table, axes, unit_m)};
+  WallText text{table, {}, {}, false, readScreen(file, table, axes, unit_m)};
   if (!text.screen) readCorners(table, unit_m, text);
   Wall& wall = text.wall;
   wall.name = table.text("name");
@@ -166,6 +177,8 @@ WallText readWall(const TomlFile& file, const TomlTable& table, const RoomAxes& 
     readLight(file, table, wall);
   else
     readProjector(file, table, wall);
+  const std::filesystem::path places = measuredFileOf(text.screen, wall);
+  if (wall.blend.empty() && !table.has("blend") && hasBlend(places)) wall.blend = places;
   return text;
 }
 

@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "app/files/toml_file.h"
 #include "engine/base/limits.h"
+#include "engine/base/pose.h"
 
 namespace carom {
 
@@ -19,6 +21,18 @@ inline constexpr double kTouching = 1e-12;
 
 inline glm::dvec2 toVec2(const std::array<double, 2>& a) { return {a[0], a[1]}; }
 inline glm::dvec3 toVec3(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// Reads { translation, rotation_deg }: rotations about the fixed x, then y, then z axis, then the
+/// translation.
+inline Pose readPose(const TomlTable& parent, std::string_view key, double unit_m) {
+  const auto table = parent.table(key);
+  if (!table) return {};
+  const glm::dvec3 turn_rad = glm::radians(toVec3(table->numbers<3>("rotation_deg")));
+  const glm::dquat aboutX = glm::angleAxis(turn_rad.x, glm::dvec3(1, 0, 0));
+  const glm::dquat aboutY = glm::angleAxis(turn_rad.y, glm::dvec3(0, 1, 0));
+  const glm::dquat aboutZ = glm::angleAxis(turn_rad.z, glm::dvec3(0, 0, 1));
+  return {toVec3(table->numbers<3>("translation")) * unit_m, aboutZ * aboutY * aboutX};
+}
 
 /// Returns γβ of the fastest that the drive makes a room, by the key fastest_beta.
 inline double readMost_u(const TomlTable& table) {

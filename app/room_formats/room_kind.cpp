@@ -13,6 +13,7 @@
 #include "app/room_formats/eqc_syntax.h"
 #include "app/room_formats/hevs_file.h"
 #include "app/room_formats/jconf_file.h"
+#include "app/room_formats/mpcdi_file.h"
 #include "app/room_formats/ndisplay_file.h"
 #include "app/room_formats/part.h"
 #include "app/room_formats/room_parts.h"
@@ -111,12 +112,17 @@ Room readJsonRoom(const std::filesystem::path& file, const std::string& wanted) 
 bool isForeignRoom(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (isOneOf(ending, {".toml"})) return false;
+  if (isMpcdi(file)) return true;
   if (isOneOf(ending, {".pvx", ".json", ".xml", ".jconf", ".eqc", ".ndisplay", ".cfg"})) return true;
   if (!refusalOf(file, InputKind::xml).empty()) return false;
   return syntaxOf(beginningOf(file, InputKind::xml, kBeginning)).has_value();
 }
 
 Room readForeignRoom(const std::filesystem::path& file, const std::string& room) {
+  if (isMpcdi(file)) {
+    refuseRoomName(room, file);
+    return readMpcdi(file);
+  }
   const bool isJson = file.extension() == ".json";
   const std::string text = readText(file, isJson ? InputKind::json : InputKind::xml);
   const auto syntax = syntaxOf(text);

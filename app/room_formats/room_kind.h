@@ -12,7 +12,7 @@ namespace carom {
 inline constexpr const char* kForeignRooms =
     "a room of ParaView (.pvx), SGCT (.json, .xml), OpenCOVER (.xml), BlenderCAVE or BlenderVR (.xml), "
     "nDisplay "
-    "(.ndisplay, .cfg), VR Juggler (.jconf), Equalizer (.eqc) or HEVS (.json)";
+    "(.ndisplay, .cfg), VR Juggler (.jconf), Equalizer (.eqc), HEVS (.json) or MPCDI (.mpcdi, .mpcdi.xml)";
 
 /// Returns whether a file is to be read as a room of another program: by its ending, or, where it has none of
 /// theirs, by how its content begins. A .toml never is.

@@ -164,10 +164,13 @@ bool addCurvedWall(RoomWall wall, const ScreenFormula& shape, Room& room) {
     return false;
   }
   wall.wall.name = rigName(room, printable(wall.wall.name));
-  if (!curve({.shape = shape, .sagitta_m = sagittaFor_m(shape)}, room.axes, wall.wall)) {
-    addError(room, wall.at.wall,
-             fmt::format("the screen of wall '{}' takes more than {} flat pieces, expected a smaller one",
-                         wall.wall.name, kMostPieces));
+  if (const auto fault = curve({.shape = shape, .sagitta_m = sagittaFor_m(shape)}, room.axes, wall.wall)) {
+    addError(
+        room, wall.at.wall,
+        fault->isOfFile
+            ? fault->what
+            : fmt::format("the screen of wall '{}' takes more than {} flat pieces, expected a smaller one",
+                          wall.wall.name, kMostPieces));
     return false;
   }
   room.walls.push_back(std::move(wall));

@@ -3,6 +3,7 @@
 // import` writes it as a rig. Metres, in the room's axes; every part has its position in the file.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ struct Person {
   bool isTracked = false;  ///< otherwise a simulated person stands for them
 };
 
+/// A file that a rig needs beside it.
+struct RoomFile {
+  std::string name;
+  std::shared_ptr<const std::string> content;
+};
+
 struct Room {
   std::filesystem::path file;
   std::string title;
@@ -55,6 +62,7 @@ struct Room {
   /// precedence.
   std::optional<double> floor_m;
   std::vector<std::string> assumptions;  ///< what the file leaves open and the value assumed
+  std::vector<RoomFile> files;           ///< that its walls name, without a folder
   FindingList findings;                  ///< of the reader
 
   /// Returns whose eyes look at the wall.

@@ -137,10 +137,13 @@ std::vector<Finding> judgeRoom(const Room& room) {
   judgeSize(verdict);
   for (const RoomWall& wall : room.walls) judgeWall(wall, verdict);
   judgeHeight(verdict);
+  const std::vector<ScreenEnd> ends = screenEndsOf(room);
   for (std::size_t i = 0; i < room.walls.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!room.walls[i].wall.screen && !room.walls[j].wall.screen)
         judgePair(room.walls[j], room.walls[i], verdict);
+      else if (!ends.empty())
+        judgeRims(room.walls[j], room.walls[i], ends[j], ends[i], verdict);
     }
   }
   if (!room.hasErrors()) judgeRanks(verdict);

@@ -150,7 +150,7 @@ bool readSgctSky(const JsonNode& viewport, const JsonNode& projection, RoomWall&
   ScreenText text;
   text.shape = *shape;
   text.sagitta_m = sagittaFor_m(*shape);
-  if (curve(text, in.room.axes, wall.wall)) return true;
+  if (!curve(text, in.room.axes, wall.wall)) return true;
   addError(in.room, type.at,
            fmt::format("the {} takes more flat pieces than a rig may have", printable(type.text)));
   return false;

@@ -156,7 +156,11 @@ Side lookedAt(const Wall& wall, const RoomAxes& axes) {
 }
 
 void judgeWall(const RoomWall& wall, Verdict& verdict) {
-  if (wall.wall.screen) return judgeCurved(wall, verdict);
+  if (wall.wall.screen) {
+    judgeCurved(wall, verdict);
+    if (!wall.wall.sky) judgeName({chordOf(wall.wall), wall.at}, verdict);
+    return;
+  }
   judgePlane(wall, verdict);
   judgePixels(wall, verdict);
   judgeWindow(wall, verdict);

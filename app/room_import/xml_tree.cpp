@@ -135,7 +135,10 @@ const XmlAttribute* XmlElement::attribute(std::string_view wanted) const {
 XmlElement readXml(const std::filesystem::path& file) { return readXml(file, Doctype::none).root; }
 
 XmlFile readXml(const std::filesystem::path& file, Doctype doctype) {
-  const std::string text = readText(file, InputKind::xml);
+  return parseXml(file, readText(file, InputKind::xml), doctype);
+}
+
+XmlFile parseXml(const std::filesystem::path& file, const std::string& text, Doctype doctype) {
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(XML_ParserCreate("UTF-8"),
                                                                             &XML_ParserFree);
   Reading reading{parser.get(), text, LineIndex(text), {}, {}, 0, 0, {}, {}, {}};

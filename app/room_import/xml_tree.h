@@ -51,5 +51,7 @@ struct XmlFile {
 /// entities with a text of their own never are: they could grow without limit.
 XmlElement readXml(const std::filesystem::path& file);
 XmlFile readXml(const std::filesystem::path& file, Doctype doctype);
+/// The same of a text that has been read from the file.
+XmlFile parseXml(const std::filesystem::path& file, const std::string& text, Doctype doctype);
 
 }  // namespace carom

@@ -22,6 +22,7 @@
 #include "cave/process/termination.h"
 #include "cave/process/work_budget.h"
 #include "cave/projection/projector.h"
+#include "cave/screen/curved_screen.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -29,14 +30,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the files that a rig names: projectors' meshes and pictures, recorded traces.
+/// Returns the files that a rig names: projectors' meshes and pictures, measured screens, recorded traces.
 NamedFiles filesOf(const Rig& rig) {
   NamedFiles files;
   for (const Wall& wall : rig.walls) {
     for (const fs::path* file :
          {&wall.warp, &wall.blend, &wall.colourWarps[0], &wall.colourWarps[1], &wall.colourWarps[2]}) {
-      if (!file->empty()) files.emplace(*file, file == &wall.blend ? InputKind::blend : InputKind::warp);
+      const InputKind usual = file == &wall.blend ? InputKind::blend : InputKind::warp;
+      if (!file->empty()) files.emplace(*file, file->extension() == ".vwf" ? InputKind::screenGrid : usual);
     }
+    if (!wall.screen) continue;
+    if (const auto* measured = std::get_if<MeasuredScreen>(&wall.screen->shape))
+      files.emplace(measured->file, measured->isGrid ? InputKind::screenGrid : InputKind::screenMesh);
   }
   for (const TrackerSetup& tracker : rig.trackers) {
     if (tracker.kind == TrackerKind::recorded) files.emplace(tracker.source, InputKind::trace);

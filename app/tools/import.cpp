@@ -33,6 +33,52 @@ bool printFindings(const std::filesystem::path& file, const std::vector<Finding>
   return failed;
 }
 
+namespace {
+
+/// A rig and the files that it needs beside it: written when constructed, and removed unless they are kept.
+class RigFiles {
+ public:
+  RigFiles(const std::filesystem::path& rig, const Room& room) {
+    if (!room.files.empty() && rig == "-")
+      throw std::runtime_error(
+          "the rig needs files beside it, expected the name of a file for it instead of -");
+    std::error_code failed;
+    for (const RoomFile& file : room.files) {
+      const std::filesystem::path path = rig.parent_path() / file.name;
+      if (std::filesystem::exists(std::filesystem::symlink_status(path, failed)))
+        throw std::runtime_error(fmt::format("{} is there already, expected a new file", path.string()));
+    }
+    try {
+      for (const RoomFile& file : room.files) {
+        add(rig.parent_path() / file.name, *file.content);
+      }
+    } catch (...) {
+      remove();
+      throw;
+    }
+  }
+  RigFiles(const RigFiles&) = delete;
+  RigFiles& operator=(const RigFiles&) = delete;
+  ~RigFiles() { remove(); }
+
+  void add(const std::filesystem::path& path, const std::string& content) {
+    WholeFile(path).commit(content);
+    written_.push_back(path);
+  }
+  void keep() { written_.clear(); }
+
+ private:
+  void remove() {
+    std::error_code failed;
+    for (const std::filesystem::path& path : written_) std::filesystem::remove(path, failed);
+    written_.clear();
+  }
+
+  std::vector<std::filesystem::path> written_;
+};
+
+}  // namespace
+
 int runImport(const ImportOptions& options) {
   if (options.file.extension() == ".toml") {
     throw InputErrors(
@@ -51,8 +97,15 @@ int runImport(const ImportOptions& options) {
     throw std::runtime_error(fmt::format(
         "{} is there already, expected a new file: rigs are measured by hand", options.rig.string()));
   }
-  readRig(options.rig, text);  // throws if the written rig would be refused
-  WholeFile(options.rig).commit(text);
+  if (room.files.empty()) {
+    readRig(options.rig, text);  // throws if the written rig would be refused
+    WholeFile(options.rig).commit(text);
+  } else {
+    RigFiles files(options.rig, room);
+    files.add(options.rig, text);
+    readRig(options.rig);  // the same: a rig may name files anywhere only where it lies
+    files.keep();
+  }
   for (const std::string& assumption : room.assumptions) log::note(fmt::format("assumed: {}", assumption));
   return 0;
 }

@@ -16,7 +16,7 @@ namespace carom {
 inline constexpr const char* kForeignFiles =
     "ParaView's .pvx; SGCT's .json or .xml; .xml of OpenCOVER, BlenderCAVE or BlenderVR; nDisplay's "
     ".ndisplay or "
-    ".cfg; VR Juggler's .jconf; Equalizer's .eqc; HEVS's .json";
+    ".cfg; VR Juggler's .jconf; Equalizer's .eqc; HEVS's .json; .mpcdi and .mpcdi.xml";
 inline constexpr const char* kRoomHelp =
     "Which of several rooms in the file: a platform of HEVS, a cluster's master of OpenCOVER, a "
     "configuration of "
@@ -35,9 +35,9 @@ struct ImportOptions {
   std::string room{};         ///< which of several rooms in the file
 };
 
-/// Writes the rig completely or not at all. Assumptions are written to standard error and into the rig's
-/// comments. Returns the exit status. Throws InputErrors if the file cannot be read or the room cannot be a
-/// rig, and std::runtime_error if the rig cannot be written.
+/// Writes the rig completely or not at all, with the files that it needs beside it. Assumptions are written
+/// to standard error and into the rig's comments. Returns the exit status. Throws InputErrors if the file
+/// cannot be read or the room cannot be a rig, and std::runtime_error if the rig cannot be written.
 int runImport(const ImportOptions& options);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.

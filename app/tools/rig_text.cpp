@@ -130,6 +130,7 @@ std::optional<ScreenFormula> shapeOf(const Wall& wall) {
   if (const auto* cylinder = std::get_if<CylinderScreen>(&wall.screen->shape)) return *cylinder;
   if (const auto* dome = std::get_if<DomeScreen>(&wall.screen->shape)) return *dome;
   if (const auto* sky = std::get_if<Sky>(&wall.screen->shape)) return SkyText{*sky, *wall.sky};
+  if (const auto* measured = std::get_if<MeasuredScreen>(&wall.screen->shape)) return *measured;
   return {};
 }
 
@@ -165,7 +166,16 @@ std::string shapeText(const Room& room, const SkyText& text) {
                      from_m ? fmt::format(", from = {}", vectorIn(room, *from_m)) : "");
 }
 
-/// Returns the screen of a wall that a reader has made of a formula.
+std::string shapeText(const Room& room, const MeasuredScreen& screen) {
+  const bool isTurned = !isIdentity(screen.roomFromScreen);
+  return fmt::format(
+      "shape = \"{}\", file = {}, unit = \"{}\"{}{}", screen.isGrid ? "grid" : "mesh",
+      tomlText(screen.file.filename().string()), unitName(screen.unit_m),
+      screen.isGrid && screen.rows == GridRows::fromTop ? ", rows = \"top\"" : "",
+      isTurned ? fmt::format(", room_from_screen = {}", poseIn(room, screen.roomFromScreen)) : "");
+}
+
+/// Returns the screen of a wall that a reader has made of a formula or a file.
 std::string screenText(const Room& room, const ScreenFormula& shape) {
   std::string text =
       fmt::format("{} = {{ {} }}\n", std::holds_alternative<SkyText>(shape) ? "sky" : "screen",
@@ -204,12 +214,15 @@ std::string wallText(const Room& room, const Wall& wall) {
     }
     text += fmt::format("eyes = [{}]\n", fmt::join(eyes, ", "));
   }
+  if (!wall.warp.empty()) text += fmt::format("warp = {}\n", tomlText(wall.warp.filename().string()));
+  if (!wall.blend.empty()) text += fmt::format("blend = {}\n", tomlText(wall.blend.filename().string()));
   if (wall.flip != Flip::none) text += fmt::format("flip = \"{}\"\n", toString(wall.flip));
   return text;
 }
 
 void shift(CylinderScreen& screen, const glm::dvec3& by_m) { screen.foot_m += by_m; }
 void shift(DomeScreen& screen, const glm::dvec3& by_m) { screen.centre_m += by_m; }
+void shift(MeasuredScreen& screen, const glm::dvec3& by_m) { screen.roomFromScreen.position_m += by_m; }
 void shift(SkyText& text, const glm::dvec3& by_m) {
   text.sky.middle_m += by_m;
   if (text.eyes.from_m) *text.eyes.from_m += by_m;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <vtkCommand.h>
@@ -22,6 +23,8 @@
 #include <vtk_glew.h>
 
 #include "cave/gl/gl_program.h"
+#include "cave/mesh_files/vwf_file.h"
+#include "cave/mesh_files/warp_file.h"
 #include "cave/process/subprocess.h"
 #include "engine/base/outside_file.h"
 #include "shaders/projector_frag.h"
@@ -123,10 +126,16 @@ std::string blendBytes(const std::filesystem::path& file) {
   return bytesOf(size_px, *values);
 }
 
+BlendPicture blendOf(VwfFile file) {
+  if (file.blend.empty()) throw std::runtime_error("has no blend, expected one");
+  return {file.blend_px, std::move(file.blend)};
+}
+
 }  // namespace
 
 BlendPicture readBlend(const std::filesystem::path& file) {
   try {
+    if (file.extension() == ".vwf") return blendOf(parseVwf(contentOf(file, InputKind::screenGrid)));
     if (const std::string refusal = refusalOf(file, InputKind::blend); !refusal.empty())
       throw std::runtime_error(refusal);
     return blendFrom(runInSubprocess([&] { return blendBytes(file); }));
@@ -146,15 +155,16 @@ std::optional<Projection> projectionOf(const Wall& wall) {
     return {};
   Projection projection{.warp = wall.skewed         ? skewWarp(*wall.skewed)
                                 : wall.warp.empty() ? straightWarp()
-                                                    : readWarp(wall.warp),
+                                                    : readWarp(wall.warp, wall.pixels),
                         .blend = wall.blend.empty() ? BlendPicture{} : readBlend(wall.blend),
                         .blackLevel = wall.blackLevel,
                         .flip = wall.flip,
                         .gain = wall.gain,
                         .gamma = wall.gamma};
   if (!wall.colourWarps[0].empty()) {
-    projection.colourWarps = {readWarp(wall.colourWarps[0]), readWarp(wall.colourWarps[1]),
-                              readWarp(wall.colourWarps[2])};
+    projection.colourWarps = {readWarp(wall.colourWarps[0], wall.pixels),
+                              readWarp(wall.colourWarps[1], wall.pixels),
+                              readWarp(wall.colourWarps[2], wall.pixels)};
   }
   return projection;
 }
@@ -192,7 +202,8 @@ void Projector::addMeshes(const std::array<bool, 3>& colours, const Warp& warp) 
 Projector::DrawnMesh::DrawnMesh(const GlProgram& program, const WarpMesh& mesh)
     : points(program, {{"inWindow", 2, offsetof(WarpPoint, inWindow)},
                        {"inPicture", 2, offsetof(WarpPoint, inPicture)},
-                       {"weight", 1, offsetof(WarpPoint, weight)}}),
+                       {"weight", 1, offsetof(WarpPoint, weight)},
+                       {"light", 1, offsetof(WarpPoint, light)}}),
       corners(static_cast<int>(3 * mesh.triangles.size())) {
   points.upload(mesh.points);
   points.bind();

@@ -26,7 +26,8 @@ struct BlendPicture {
   std::vector<std::uint16_t> rgb{0xffff, 0xffff, 0xffff};
 };
 
-/// Reads a PNG, JPEG or TIFF (by its ending) of 8 or 16 bits, grey or RGB; alpha is ignored. Throws
+/// Reads a PNG, JPEG or TIFF (by its ending) of 8 or 16 bits, grey or RGB, or the blend in a .vwf; alpha is
+/// ignored. Throws
 /// std::runtime_error, "FILE:1:1: what is wrong, what was expected".
 BlendPicture readBlend(const std::filesystem::path& file);
 

@@ -106,7 +106,7 @@ struct Wall {
   std::optional<SkyEyes> sky;
   int piece =
       0;  ///< of the flat walls on which a curved screen is drawn, counted from 1; 0: it is none of them
-  std::filesystem::path warp;  ///< mesh that warps the picture to the screen (.pfm, .obj); empty: none
+  std::filesystem::path warp;  ///< file of the mesh that warps the picture to the screen; empty: none
   /// Meshes of its own for red, green and blue, for projectors whose colours do not lie upon each other;
   /// empty: all colours as `warp`.
   std::array<std::filesystem::path, 3> colourWarps;

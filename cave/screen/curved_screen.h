@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/screen/flat_pieces.h"
+#include "cave/screen/measured_screen.h"
 #include "cave/screen/screen_mesh.h"
 #include "cave/screen/screen_shape.h"
 #include "cave/screen/sky.h"
@@ -16,8 +17,9 @@
 namespace carom {
 
 struct CurvedScreen {
-  std::variant<std::monostate, CylinderScreen, DomeScreen, Sky> shape;  ///< its formula, if it has one
-  ScreenMesh mesh;                                                      ///< all of it
+  /// Its formula, or the file that it has been read from, if it has one.
+  std::variant<std::monostate, CylinderScreen, DomeScreen, Sky, MeasuredScreen> shape;
+  ScreenMesh mesh;                ///< all of it
   std::vector<FlatPiece> pieces;  ///< those on the window's left half come first
   std::size_t leftPieces = 0;     ///< how many lie on the left half
   glm::ivec2 window_px{0};        ///< for which the pieces have their pixels

@@ -49,6 +49,26 @@ double turns_rad(const std::vector<glm::dvec3>& normals) {
   return std::acos(std::clamp(glm::dot(one, farthestFrom(one)), -1.0, 1.0));
 }
 
+/// Returns whether the middle of the screen is farther from the eyes than the plane of the whole: along the
+/// mean normal, which halves a screen that bends round them.
+bool bendsRound(const ScreenMesh& mesh, const glm::dvec3& eyes_m) {
+  constexpr double kBends_m = 0.005;
+  glm::dvec3 area(0.0), middle_m(0.0);
+  const ScreenPoint* central = &mesh.front()[0];
+  for (const ScreenTriangle& t : mesh) {
+    const double side = windowArea(t) < 0.0 ? -1.0 : 1.0;
+    area += side * glm::cross(t[1].inRoom_m - t[0].inRoom_m, t[2].inRoom_m - t[0].inRoom_m);
+    for (const ScreenPoint& point : t) {
+      middle_m += point.inRoom_m / (3.0 * static_cast<double>(mesh.size()));
+      if (glm::distance(point.inWindow, glm::dvec2(0.5)) < glm::distance(central->inWindow, glm::dvec2(0.5)))
+        central = &point;
+    }
+  }
+  const glm::dvec3 normal = glm::normalize(area), toEyes = eyes_m - middle_m;
+  return glm::dot(central->inRoom_m - middle_m, normal) * glm::dot(toEyes, normal) < 0.0 &&
+         std::abs(glm::dot(central->inRoom_m - middle_m, normal)) > kBends_m;
+}
+
 }  // namespace
 
 ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, const glm::dvec3& eyes_m) {
@@ -56,7 +76,7 @@ ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, con
   facts.width_m = lengthAlong_m(screen.mesh, 0);
   facts.height_m = lengthAlong_m(screen.mesh, 1);
   facts.leastPerMetre = facts.nearest_m = std::numeric_limits<double>::infinity();
-  facts.isBehind = true;
+  double leastSquarely = 1.0, mostSquarely = -1.0;
   const double window_px2 = static_cast<double>(window_px.x) * window_px.y;
   double shown_px2 = 0.0, texels = 0.0;
   std::vector<glm::dvec3> normals;
@@ -72,13 +92,17 @@ ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, con
     facts.mostPerMetre = std::max(facts.mostPerMetre, perMetre);
     const glm::dvec3 toEyes_m = eyes_m - (t[0].inRoom_m + t[1].inRoom_m + t[2].inRoom_m) / 3.0;
     const double squarely = glm::dot(normals.back(), glm::normalize(toEyes_m));
-    facts.isBehind = facts.isBehind && squarely <= 0.0;
-    facts.mostIncidence_rad = std::max(facts.mostIncidence_rad, std::acos(std::clamp(squarely, -1.0, 1.0)));
+    leastSquarely = std::min(leastSquarely, squarely);
+    mostSquarely = std::max(mostSquarely, squarely);
     facts.nearest_m = std::min(facts.nearest_m, glm::length(toEyes_m));
     facts.farthest_m = std::max(facts.farthest_m, glm::length(toEyes_m));
   }
   for (const FlatPiece& piece : screen.pieces)
     texels += static_cast<double>(piece.wall.pixels.x) * piece.wall.pixels.y;
+  facts.isMirrored = mostSquarely <= 0.0 && bendsRound(screen.mesh, eyes_m);
+  facts.isBehind = mostSquarely <= 0.0 && !facts.isMirrored;
+  facts.mostIncidence_rad =
+      std::acos(std::clamp(facts.isMirrored ? -mostSquarely : leastSquarely, -1.0, 1.0));
   facts.turns_rad = turns_rad(normals);
   facts.covered = shown_px2 / window_px2;
   facts.texelsPerPixel = texels / shown_px2;

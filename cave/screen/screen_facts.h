@@ -17,6 +17,9 @@ struct ScreenFacts {
   double covered = 0.0;                            ///< share of the window that shows screen
   double texelsPerPixel = 0.0;  ///< texels of the flat pieces, of a pixel of the window that shows screen
   bool isBehind = false;        ///< the eyes are behind the whole screen
+  /// The window's picture runs mirrored over the screen, as for projection from behind it: all of it turns
+  /// its back to the eyes, and yet bends round them.
+  bool isMirrored = false;
 };
 
 ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, const glm::dvec3& eyes_m);

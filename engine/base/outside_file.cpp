@@ -17,15 +17,18 @@ namespace {
 
 /// In the order of InputKind. A TOML file of 16 MiB holds a hundred thousand pucks, a trace of 512 MiB
 /// eighteen hours at 60 Hz; a session of a day has some 10 GiB; no reader keeps more than one frame of it.
-constexpr std::array<InputLimit, 9> kInputLimits{{{"a TOML file", 16},
-                                                  {"a JSON file", 16},
-                                                  {"an XML file", 16},
-                                                  {"a trace", 512},
-                                                  {"a mesh", 256},
-                                                  {"a buffer or picture of a mesh", 256},
-                                                  {"a warp mesh", 64},
-                                                  {"a picture", 256},
-                                                  {"a session file", 1ULL << 30U}}};
+constexpr std::array<InputLimit, 12> kInputLimits{{{"a TOML file", 16},
+                                                   {"a JSON file", 16},
+                                                   {"an XML file", 16},
+                                                   {"a trace", 512},
+                                                   {"a mesh", 256},
+                                                   {"a buffer or picture of a mesh", 256},
+                                                   {"a warp mesh", 64},
+                                                   {"a picture", 256},
+                                                   {"a session file", 1ULL << 30U},
+                                                   {"a mesh of a screen", 128},
+                                                   {"a grid of a screen", 256},
+                                                   {"an MPCDI file", 256}}};
 
 /// A regular file that is open for reading, or the reason why it is not.
 class OpenedFile {

@@ -11,7 +11,20 @@
 namespace carom {
 
 /// The kinds of files from outside; kInputLimits has a row for each.
-enum class InputKind { toml, json, xml, trace, mesh, meshPart, warp, blend, session };
+enum class InputKind {
+  toml,
+  json,
+  xml,
+  trace,
+  mesh,
+  meshPart,
+  warp,
+  blend,
+  session,
+  screenMesh,
+  screenGrid,
+  mpcdi
+};
 
 /// The limits of one kind of file.
 struct InputLimit {

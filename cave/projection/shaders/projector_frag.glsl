@@ -7,6 +7,7 @@ uniform vec3 gain;          // light of white
 uniform vec3 gamma;         // of the projector; 0: sRGB
 in vec2 windowPlace;
 in vec3 weightedPlace;
+in float passing;  // share of the light, of the mesh
 out vec4 colour;
 
 // sRGB, IEC 61966-2-1.
@@ -26,6 +27,6 @@ void main() {
   vec2 picturePlace = weightedPlace.xy / weightedPlace.z;
   bool outside = any(lessThan(picturePlace, vec2(0.0))) || any(greaterThan(picturePlace, vec2(1.0)));
   vec3 light = outside ? vec3(0.0) : lightOf(texture(picture, picturePlace).rgb);
-  light = black + (gain - black) * texture(blend, windowPlace).rgb * light;
+  light = black + (gain - black) * texture(blend, windowPlace).rgb * passing * light;
   colour = vec4(codeOf(light), 1.0);
 }

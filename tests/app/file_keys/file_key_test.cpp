@@ -110,15 +110,16 @@ void compare(const FileKey& file, const Read& read, const std::vector<Variant>& 
 TEST(FileKey, ReaderOfPlaylistsReadsTheDeclaredKeys) { compare(playlistKeys(), readPlaylist, {{}}); }
 
 TEST(FileKey, ReaderOfRigsReadsTheDeclaredKeys) {
-  const std::string osc = "kind = 'osc'", dome = "shape = 'dome'";
+  const std::string osc = "kind = 'osc'", dome = "shape = 'dome'", grid = "shape = 'grid'";
   const Variant forOne{.leftOut = {"headset", "viewer", "wall.screen", "wall.sky"},
                        .more = {{"tracker", osc}}},
       forSeveral{.leftOut = {"headset", "head", "hand", "wall.screen", "wall.sky"}},
       ofHeadset{.leftOut = {"head", "hand", "viewer", "tracker", "wall", "node"}},
       ofCylinder{.leftOut = {"headset", "viewer"}}, ofSky{.leftOut = {"headset", "viewer", "wall.screen"}},
-      ofDome{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", dome}}};
+      ofDome{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", dome}}},
+      ofGrid{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", grid}}};
   const auto read = [](const std::filesystem::path& file) { readRig(file); };
-  compare(rigKeys(), read, {forOne, forSeveral, ofHeadset, ofCylinder, ofDome, ofSky});
+  compare(rigKeys(), read, {forOne, forSeveral, ofHeadset, ofCylinder, ofDome, ofGrid, ofSky});
 }
 
 TEST(FileKey, ReaderOfScenariosReadsTheDeclaredKeys) {

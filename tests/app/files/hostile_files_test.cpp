@@ -13,6 +13,7 @@
 #include "app/files/scenario.h"
 #include "app/files/traces.h"
 #include "app/journal/session_file.h"
+#include "app/room_formats/mpcdi_file.h"
 #include "app/room_import/pvx_file.h"
 #include "app/room_import/sgct_file.h"
 #include "app/stage/handover.h"
@@ -49,6 +50,13 @@ std::string rigWith(const std::string& wall, const std::string& trace = "") {
          "-1]\n"
          "pixels = [100, 100]\n" +
          wall;
+}
+
+/// A rig of a wall with this screen.
+std::string rigOf(const std::string& screen) {
+  std::string text = rigWith("screen = { " + screen + " }\n");
+  const std::size_t from = text.find("lower_left"), to = text.find("pixels");
+  return text.erase(from, to - from);
 }
 
 std::string gltfWith(const std::string& part) {
@@ -91,6 +99,14 @@ const std::vector<Named>& named() {
       {"a warp", InputKind::warp, "bad.pfm", "rig.toml", rigWith("warp = 'bad.pfm'\n"), "", openRig, false},
       {"a colour's warp", InputKind::warp, "bad.obj", "rig.toml",
        rigWith("warp_red = 'bad.obj'\nwarp_green = 'bad.obj'\nwarp_blue = 'bad.obj'\n"), "", openRig, false},
+      {"a screen's mesh", InputKind::screenMesh, "bad.obj", "rig.toml",
+       rigOf("shape = 'mesh', file = 'bad.obj'"), "", openRig, false},
+      {"a screen's grid", InputKind::screenGrid, "bad.pfm", "rig.toml",
+       rigOf("shape = 'grid', file = 'bad.pfm'"), "", openRig, false},
+      {"a warp of VIOSO", InputKind::screenGrid, "bad.vwf", "rig.toml", rigWith("warp = 'bad.vwf'\n"), "",
+       openRig, false},
+      {"an MPCDI room", InputKind::mpcdi, "bad.mpcdi", "", "", "", [](const Path& file) { readMpcdi(file); },
+       false},
       {"a blend", InputKind::blend, "bad.png", "rig.toml", rigWith("blend = 'bad.png'\n"), "", openRig,
        false},
       {"a recorded head", InputKind::trace, "bad.csv", "rig.toml", rigWith("", "bad.csv"), "", openRig,

@@ -11,6 +11,7 @@
 
 #include "app/input_faults.h"
 #include "app/temporary_folder.h"
+#include "cave/mesh_files/measured_bytes.h"
 #include "cave/screen/curved_screen.h"
 
 namespace carom {
@@ -34,8 +35,27 @@ const std::string kArc =
     "to_deg = 60, "
     "bottom = 10, top = 260 }\n";
 
+/// A place of a cylinder of 3 m about the height, from -60° to 60°, 0.1 to 2.6 m high, x right, y up, z back.
+glm::dvec3 onArc_m(const glm::dvec2& inWindow) {
+  const double angle = (inWindow.x - 0.5) * 2.0 * std::numbers::pi / 3.0;
+  return {3.0 * std::sin(angle), 0.1 + 2.5 * inWindow.y, -3.0 * std::cos(angle)};
+}
+
 Rig read(const std::string& text) {
   const TemporaryFolder folder;
+  const auto inMillimetres = [](const glm::dvec2& at) { return 1e3 * onArc_m(at); };
+  folder.file("arc.pfm", test::pfmBytes(33, 17, inMillimetres));
+  folder.file("arc.vwf", test::vwfBytes(33, 17, onArc_m));
+  folder.file("arc.obj", test::objText(40, 8, onArc_m));
+  folder.file("coarse.obj", test::objText(4, 4, onArc_m));
+  folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  folder.file("folded.obj", test::objText(40, 8, [](glm::dvec2 at) {
+                at.x = at.x < 0.5 ? at.x : 1.0 - at.x;
+                return onArc_m(at);
+              }));
+  folder.file("none.pfm", test::pfmBytes(8, 8, [](const glm::dvec2&) { return glm::dvec3(std::nan("")); }));
+  folder.file("single.pfm", "PF\n1 1\n-1\n" + std::string(12, '\0'));
+  folder.file("short.vwf", test::vwfBytes(33, 17, onArc_m).substr(0, 5000));
   folder.file("mirror.obj", "v -1 -1\nv 1 -1\nv 0 1\nvt 0 0\nvt 1 0\nvt 0.5 1\nf 1 2 3\n");
   return readRig(folder.file("given.toml", text));
 }
@@ -141,6 +161,48 @@ TEST(RigScreen, APictureByDirectionWithoutAPlaceIsTheHeads) {
   EXPECT_EQ(rig.walls[0].screen->pieces.size(), 6U);
 }
 
+const std::string kWall = kArc.substr(0, kArc.find("screen"));
+
+// The rig is in centimetres with z up; the files have x right, y up, z back.
+TEST(RigScreen, AMeasuredScreenStandsWhereItsFileAndTheRigSay) {
+  const std::string pose = "room_from_screen = { translation = [10, 20, 0], rotation_deg = [90, 0, 0] } }\n";
+  for (const std::string& screen : {"{ shape = 'grid', file = 'arc.pfm', unit = 'mm', " + pose,
+                                    "{ shape = 'grid', file = 'arc.vwf', unit = 'mm', " + pose,
+                                    "{ shape = 'mesh', file = 'arc.obj', unit = 'm', " + pose}) {
+    const Rig rig = read(kWall + "screen = " + screen);
+    const Wall& wall = rig.walls.at(0);
+    ASSERT_TRUE(wall.screen);
+    for (const glm::dvec2& at : {glm::dvec2(0.0, 0.0), {0.5, 1.0}, {1.0, 0.4}, {0.3, 0.7}}) {
+      const glm::dvec3 there = onArc_m(at);
+      expectAt(wall, at, glm::dvec3(0.1 + there.x, 0.2 - there.z, there.y));
+    }
+    ASSERT_TRUE(rig.panel) << "words stand on a chord of it";
+  }
+}
+
+TEST(RigScreen, ARowOfAGridIsAtTheEdgeThatTheRigSays) {
+  const std::string screen =
+      "screen = { shape = 'grid', file = 'arc.pfm', unit = 'mm', room_from_screen = { "
+      "rotation_deg = [90, 0, 0] }, rows = 'top' }\n";
+  const Rig rig = read(kWall + screen);
+  expectAt(rig.walls.at(0), {0.5, 1.0}, {0.0, 3.0, 0.1});
+}
+
+TEST(RigScreen, TheLightInAVwfIsItsBlend) {
+  const TemporaryFolder folder;
+  std::string shares;
+  for (int i = 0; i < 33 * 17 * 4; ++i) test::put(shares, 0.5F);
+  folder.file("arc.vwf", test::vwfBytes(33, 17, onArc_m, 1e3, 0x200, shares));
+  folder.file("plain.vwf", test::vwfBytes(33, 17, onArc_m));
+  const std::string pose = "unit = 'mm', room_from_screen = { rotation_deg = [90, 0, 0] } }\n";
+  const Rig with = readRig(
+                folder.file("a.toml", kWall + "screen = { shape = 'grid', file = 'arc.vwf', " + pose)),
+            without = readRig(
+                folder.file("b.toml", kWall + "screen = { shape = 'grid', file = 'plain.vwf', " + pose));
+  EXPECT_EQ(with.walls.at(0).blend.filename(), "arc.vwf");
+  EXPECT_TRUE(without.walls.at(0).blend.empty());
+}
+
 class RigScreenFaults : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(RigScreenFaults, ArePlacedAndExplained) { test::expectExplained(GetParam(), read); }
@@ -169,6 +231,27 @@ INSTANTIATE_TEST_SUITE_P(
               37, "a number above 0"},
         Fault{"a sky's sagitta", changed("screen", "facet_sagitta = 1\nsky = { kind = 'fisheye' }\n#"), 11,
               17, "of a wall with a screen"},
+        Fault{"one triangle", kWall + "screen = { shape = 'mesh', file = 'one.obj' }\n", 11, 35,
+              "two at least"},
+        Fault{"no file", kWall + "screen = { shape = 'mesh', file = 'gone.obj' }\n", 11, 35, "gone.obj"},
+        Fault{"a file of another kind", kWall + "screen = { shape = 'grid', file = 'arc.obj' }\n", 11, 35,
+              "ending in .pfm or .vwf"},
+        Fault{"a mesh with rows",
+              kWall + "screen = { shape = 'mesh', file = 'arc.obj', unit = 'm', rows = 'top' }\n", 11, 65,
+              "is of a grid"},
+        Fault{"a large cell", kWall + "screen = { shape = 'mesh', file = 'coarse.obj', unit = 'm' }\n", 11,
+              35, "a cell of the mesh has an edge of"},
+        Fault{"a fold", kWall + "screen = { shape = 'mesh', file = 'folded.obj', unit = 'm' }\n", 11, 35,
+              "folds over itself in the room"},
+        Fault{"a grid of nothing", kWall + "screen = { shape = 'grid', file = 'none.pfm' }\n", 11, 35,
+              "no four neighbours of the 8 × 8 points"},
+        Fault{"a grid of one", kWall + "screen = { shape = 'grid', file = 'single.pfm' }\n", 11, 35,
+              "2:1: '1' is wrong"},
+        Fault{"a short vwf", kWall + "screen = { shape = 'grid', file = 'short.vwf' }\n", 11, 35,
+              "33 × 17 points take 8976 bytes"},
+        Fault{"too deep",
+              kWall + "facet_sagitta = 0.0001\nscreen = { shape = 'grid', file = 'arc.pfm', unit = 'mm' }\n",
+              11, 17, "flat pieces"},
         Fault{"a panel behind the head",
               kArc + "[panel]\nlower_left = [100, -250, 50]\nlower_right = [-100, -250, 50]\nupper_left = "
                      "[100, -250, "

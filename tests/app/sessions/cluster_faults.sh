@@ -110,6 +110,25 @@ printf '%b' '\0\0\0\0\0\0\0\0\0\0\0\0' '\0\0\0200\077\0\0\0\0\0\0\0\0' '\0\0\0\0
 cp "$config/traces/walk.csv" "$out/a/rigs/mine.csv"
 sed "s|^pixels = .*|&\nwarp = \"screen.obj\"\nblend = \"../edge.png\"|; s|^source = .*|source = \"$out/a/rigs/mine.csv\"|" "$out/room.toml" >"$out/a/rigs/room.toml"
 sed 's/^name = "red"/&\nmesh = "puck.gltf"/' "$config/scenarios/three-pucks.toml" >"$out/a/game.toml"
+# A measured screen: 40 cm wide, 80 cm ahead.
+cat >"$out/a/rigs/board.obj" <<'OBJ'
+v -0.2 1.5 -0.8
+v 0.2 1.5 -0.8
+v 0.2 1.9 -0.8
+v -0.2 1.9 -0.8
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+f 1/1 2/2 3/3 4/4
+OBJ
+cat >>"$out/a/rigs/room.toml" <<'TOML'
+[[wall]]
+name = "board"
+screen = { shape = "mesh", file = "board.obj", unit = "m" }
+pixels = [64, 64]
+node = 3
+TOML
 grep -q "rigs/mine.csv" "$out/a/rigs/room.toml" || fail "the rig has no trace of its own"
 mkdir "$out/tmp"
 export TMPDIR="$out/tmp"
@@ -118,7 +137,7 @@ session=(cave --rig rigs/room.toml --scenario game.toml --frames 3 --no-window -
 # Node 0 runs in folder a, the others in folder b.
 apart=("${mpi[@]}" -n 4 bash -c 'cd "$0"/$([ "$OMPI_COMM_WORLD_RANK" = 0 ] && echo a || echo b) && exec "$@"' "$out")
 "${apart[@]}" "$carom" "${session[@]}" "$out/handed" 2>"$out/stderr" || fail "nodes without any file"
-[ "$(ls "$out/alone" | wc -l)" = 24 ] || fail "expected 24 pictures, found $(ls "$out/alone" | wc -l)"
+[ "$(ls "$out/alone" | wc -l)" = 27 ] || fail "expected 27 pictures, found $(ls "$out/alone" | wc -l)"
 diff -rq "$out/alone" "$out/handed" || fail "nodes without any file draw other pictures"
 [ -z "$(find "$out/tmp" -type f)" ] || fail "files of rank 0 are left: $(find "$out/tmp" -type f)"
 "${apart[@]}" "$carom" check rigs/room.toml --pattern --capture "$out/patterns" 2>"$out/stderr" || fail "patterns of nodes without any file"

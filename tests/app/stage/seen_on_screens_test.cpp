@@ -15,12 +15,16 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/room_formats/mpcdi_file.h"
 #include "app/stage/scenario_scene.h"
+#include "app/temporary_folder.h"
 #include "cave/display/wall_pictures.h"
 #include "cave/frame/bodies.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/image.h"
+#include "cave/mesh_files/measured_bytes.h"
 #include "cave/screen/sky_screen.h"
 #include "cave/screen/true_screens.h"
 #include "engine/billiard/billiard.h"
@@ -177,7 +181,10 @@ class SeenOnScreens : public ::testing::Test {
   /// Expects that the columns of a window from `from` to `to`, of 1, show what flat walls show of `record`.
   void expectSeen(const Bent& screen, const Image& window, const FrameRecord& record, double from,
                   double to) {
-    const Eye eye = screen.wall.stereo == StereoMode::left ? Eye::left : Eye::middle;
+    const StereoMode stereo = screen.wall.stereo;
+    const Eye eye = stereo == StereoMode::left    ? Eye::left
+                    : stereo == StereoMode::right ? Eye::right
+                                                  : Eye::middle;
     const glm::dvec3 eye_m = record.viewers[0].observer.of(eye).positionInRoom_m;
     const std::vector<Image> flat = shown(flatWallsAround(eye_m, screen.wall.stereo), record);
     const glm::dvec2 size(screen.wall.pixels);
@@ -237,8 +244,79 @@ TEST_F(SeenOnScreens, EachPixelShowsWhatIsInItsDirection) {
   }
 }
 
-TEST_F(SeenOnScreens, SplitAndFrozenViewsAreAsOnFlatWalls) {
-  const Bent screen = bent(cylinder(3.0, -70.0, 50.0, {900, 400}), StereoMode::mono);
+// The screen is known at some points of the true surface alone.
+TEST_F(SeenOnScreens, EachPixelOfAMeasuredScreenShowsWhatIsInItsDirection) {
+  const TrueScreen arc = cylinder(3.0, -70.0, 50.0, {900, 400});
+  TrueScreen bowl = measured(dome(5.0, 20.0, 180.0), 65, 65);
+  bowl.isScreen = [](const glm::dvec2& at) { return glm::length(2.0 * at - 1.0) < 0.95; };  // whole cells
+  const std::vector<std::pair<Bent, glm::dvec3>> all{
+      {bent(measured(arc, 33, 33), StereoMode::left), {1.1, 1.6, 0.9}},
+      {bent(measured(arc, 33, 33), StereoMode::right), {-1.2, 1.5, 0.8}},
+      {bent(bowl, StereoMode::left), {0.9, 1.6, -1.1}},
+      {bent(ofCells(arc, 100, 20), StereoMode::left), {1.0, 1.7, 1.0}},
+      {bent(ofCells(arc, 100, 20), StereoMode::right), {-1.3, 1.6, -0.4}}};
+  for (const auto& [screen, head_m] : all) {
+    for (const double beta : {0.0, 0.6}) {
+      const FrameRecord record = frame(beta, head_m);
+      expectSeen(screen, shown({screen.wall}, record).front(), record, 0.0, 1.0);
+    }
+  }
+}
+
+/// Returns the share of the window's pixels in a part of it that are black.
+double blackShare(const Image& window, const glm::dvec2& from, const glm::dvec2& to) {
+  int pixels = 0, black = 0;
+  const glm::ivec2 low(from * glm::dvec2(window.size_px)), high(to * glm::dvec2(window.size_px));
+  for (int y = low.y; y < high.y; ++y) {
+    for (int x = low.x; x < high.x; ++x) {
+      const std::uint8_t* rgb =
+          &window.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(window.size_px.x) +
+                           static_cast<std::size_t>(x))];
+      ++pixels;
+      if (rgb[0] + rgb[1] + rgb[2] == 0) ++black;
+    }
+  }
+  return static_cast<double>(black) / pixels;
+}
+
+// The same cylinder from an MPCDI file, and from a file that is written by the table of the .vwf format.
+TEST_F(SeenOnScreens, ACylinderFromFilesIsSeenWhereItIs) {
+  TrueScreen truth = cylinder(3.0, -60.0, 60.0, {970, 330}, 0.0, 2.4);
+  // Cells with a corner that is none are dark: the upper left 4 × 4 points of 97 × 33.
+  truth.isScreen = [](const glm::dvec2& at) { return at.x > 4.6 / 97 || at.y < 1.0 - 4.6 / 33; };
+  const Room room = readMpcdi(CAROM_TESTS_DIR "/data/rooms/cylinder_a3.mpcdi");
+  ASSERT_EQ(room.walls.size(), 1U);
+  const test::TemporaryFolder folder;
+  const auto place = [&](const glm::dvec2& at) {
+    return at.x > 4.0 / 97 || at.y < 1.0 - 4.0 / 33 ? truth.placeOn_m(at) : glm::dvec3(std::nan(""));
+  };
+  folder.file("arc.vwf", test::vwfBytes(97, 33, place));
+  const Rig rig = readRig(folder.file(
+      "arc.toml",
+      "unit = 'm'\naxes = 'x-right y-up z-back'\n[head]\ntracker = 'cap'\n[[tracker]]\nname = 'cap'\nkind = "
+      "'simulated'\n[[wall]]\nname = 'arc'\npixels = [970, 330]\nscreen = { shape = 'grid', file = "
+      "'arc.vwf', unit "
+      "= 'mm' }\n"));
+  const FrameRecord record = frame(0.6, {1.0, 1.6, 0.8});
+  for (const auto& [name, wall] :
+       {std::pair("cylinder_a3.mpcdi", room.walls[0].wall), {"arc.vwf", rig.walls.at(0)}}) {
+    Bent screen = bent(truth, StereoMode::left);
+    screen.name = name;
+    screen.wall.screen = wall.screen;
+    const Image window = shown({screen.wall}, record).front();
+    expectSeen(screen, window, record, 0.0, 1.0);
+    EXPECT_EQ(blackShare(window, {0.0, 29.5 / 33 + 0.01}, {3.5 / 97, 1.0}), 1.0) << name;
+    EXPECT_LT(blackShare(window, {0.1, 0.1}, {0.9, 0.9}), 0.9) << name;
+  }
+}
+
+class SplitOnScreens : public SeenOnScreens, public ::testing::WithParamInterface<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(FormulaAndGrid, SplitOnScreens, ::testing::Bool());
+
+TEST_P(SplitOnScreens, SplitAndFrozenViewsAreAsOnFlatWalls) {
+  const TrueScreen arc = cylinder(3.0, -70.0, 50.0, {900, 400});
+  const Bent screen = bent(GetParam() ? measured(arc, 33, 33) : arc, StereoMode::mono);
   FrameRecord record = frame(0.6, {-0.8, 1.6, 0.5});
   EyeView& middle = record.viewers[0].observer.middle;
   middle.seenFromInRoom_m += glm::dvec3(0.3, 0.0, 0.2);  // somebody has walked round what has been frozen

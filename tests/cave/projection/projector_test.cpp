@@ -25,6 +25,7 @@
 #include "app/temporary_folder.h"
 #include "cave/display/window.h"
 #include "cave/gl/image.h"
+#include "cave/mesh_files/measured_bytes.h"
 #include "cave/projection/stereo.h"
 #include "cave/room/wall_eyes.h"
 
@@ -394,6 +395,21 @@ TEST_F(ProjectorPixels, BlackBlendAndPictureGoTogetherAsSaid) {
   }
 }
 
+// A mesh for a spherical mirror has a share of light at each point.
+TEST_F(ProjectorPixels, TheMeshDimsThePictureAndNotTheBlack) {
+  Projection projection = straight();
+  projection.blackLevel = 0.05;
+  for (WarpPoint& point : projection.warp.left.points) point.light = 1.0F - point.inWindow.x;
+  const Pixels seen = packed(&projection);
+  for (int column = 0; column < kSize_px; ++column) {
+    const double share = 1.0 - (column + 0.5) / kSize_px;
+    for (std::size_t part = 0; part < 3; ++part) {
+      const double expected = 0.05 + 0.95 * share * lightOf(at(leftPixels_, column, 20)[part]);
+      EXPECT_NEAR(lightOf(at(seen, column, 20)[part]), expected, 0.0046) << column << ", part " << part;
+    }
+  }
+}
+
 TEST_F(ProjectorPixels, FlipMirrorsTheWindowWithMeshAndBlend) {
   Projection projection = moved(glm::vec2(5.0F, 0.0F) / float(kSize_px), {});
   projection.blend = {{2, 1}, {65535, 65535, 65535, 0, 0, 0}};  // fades from the left to the right
@@ -460,6 +476,18 @@ TEST(Blend, ReadsEveryKindAndNamesBrokenOnes) {
       }
     }
   }
+}
+
+TEST(Blend, IsThatOfAVwfFile) {
+  const test::TemporaryFolder folder;
+  std::string shares;
+  for (int i = 0; i < 2 * 2 * 4; ++i) test::put(shares, i < 8 ? 0.25F : 1.0F);  // the upper row first
+  const auto place = [](const glm::dvec2& at) { return glm::dvec3(at, -2.0); };
+  const BlendPicture blend = readBlend(folder.file("a.vwf", test::vwfBytes(2, 2, place, 1e3, 0x200, shares)));
+  EXPECT_EQ(blend.size_px, glm::ivec2(2, 2));
+  EXPECT_EQ(blend.rgb.at(0), 65535);
+  EXPECT_EQ(blend.rgb.at(6), 16384);
+  EXPECT_THROW(readBlend(folder.file("b.vwf", test::vwfBytes(2, 2, place))), std::runtime_error);
 }
 
 TEST(Projection, IsNoneForAPlainWall) {

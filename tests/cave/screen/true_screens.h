@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -13,6 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/screen/curved_screen.h"
+#include "cave/screen/screen_grid.h"
 #include "cave/screen/screen_shape.h"
 
 namespace carom::test {
@@ -39,12 +41,13 @@ double leaves_m(const Place& from, const Place& along, double radius_m) {
   return (-b + std::sqrt(b * b - a * (glm::dot(from, from) - radius_m * radius_m))) / a;
 }
 
-inline TrueScreen cylinder(double radius_m, double from_deg, double to_deg, const glm::ivec2& window_px) {
+inline TrueScreen cylinder(double radius_m, double from_deg, double to_deg, const glm::ivec2& window_px,
+                           double bottom_m = 0.1, double top_m = 2.6) {
   const CylinderScreen screen{.radius_m = radius_m,
                               .from_rad = from_deg * kDegree,
                               .to_rad = to_deg * kDegree,
-                              .bottom_m = 0.1,
-                              .top_m = 2.6};
+                              .bottom_m = bottom_m,
+                              .top_m = top_m};
   const auto inWindow = [screen](const glm::dvec3& from_m, const glm::dvec3& along) {
     const double at = leaves_m(glm::dvec2(from_m.x, from_m.z), glm::dvec2(along.x, along.z), screen.radius_m);
     const glm::dvec3 place_m = from_m + at * along;
@@ -85,6 +88,46 @@ inline TrueScreen dome(double radius_m, double tilt_deg, double fov_deg) {
           [screen](const glm::dvec2& place) {
             return carom::placeOn_m(screen, place, {1024, 1024});
           }};
+}
+
+/// Returns the screen as a measurement has it: at the points of a grid over its window.
+inline ScreenGrid gridOf(const TrueScreen& screen, int columns, int rows) {
+  ScreenGrid grid{columns, rows, {}};
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const glm::dvec2 at((column + 0.5) / columns, (row + 0.5) / rows);
+      grid.places.push_back(screen.isScreen(at) ? glm::vec3(screen.placeOn_m(at)) : glm::vec3(kNone));
+    }
+  }
+  return grid;
+}
+
+/// Returns the screen as drawn from so many points.
+inline TrueScreen measured(TrueScreen screen, int columns, int rows) {
+  const std::vector<glm::dvec3> eyes_m = eyesAround(screen.middle_m, {0, 1, 0}, 1.5);
+  screen.name += fmt::format(", measured at {} × {} points", columns, rows);
+  screen.mesh = meshOf(gridOf(screen, columns, rows), screen.window_px, eyes_m).mesh;
+  return screen;
+}
+
+/// Returns the screen as flat cells, so many across and up: two triangles each.
+inline TrueScreen ofCells(TrueScreen screen, int columns, int rows) {
+  screen.name += fmt::format(", of {} × {} flat cells", columns, rows);
+  screen.mesh.clear();
+  const auto point = [&](int column, int row) {
+    const glm::dvec2 at(static_cast<double>(column) / columns, static_cast<double>(row) / rows);
+    return ScreenPoint{at, screen.placeOn_m(at)};
+  };
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const ScreenPoint a = point(column, row), b = point(column + 1, row), c = point(column + 1, row + 1),
+                        d = point(column, row + 1);
+      screen.mesh.push_back({a, b, c});
+      screen.mesh.push_back({a, c, d});
+    }
+  }
+  return screen;
 }
 
 inline std::vector<TrueScreen> screens() {

@@ -10,6 +10,7 @@
 
 #include "cave/room/off_axis.h"
 #include "cave/screen/sky_screen.h"
+#include "cave/screen/true_screens.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -118,6 +119,26 @@ TEST(WallPointer, APictureByDirectionIsPointedIntoFromItsPlace) {
               0.1 * kPixel_rad);
   }
   EXPECT_FALSE(pointedIn(wall, kPane, glm::dvec2(kPane.position_px) + 2.0)) << "beside the circle";
+}
+
+// On a measured screen the pointer finds the place of the room that its pixel shows, and nothing where there
+// is no screen.
+TEST(WallPointer, AMeasuredScreenIsPointedAtWhereItIs) {
+  test::TrueScreen arc = test::cylinder(3.0, -40.0, 50.0, {800, 600});
+  arc.isScreen = [](const glm::dvec2& at) { return at.x < 0.8; };
+  Wall wall;
+  wall.pixels = arc.window_px;
+  wall.screen = std::make_shared<CurvedScreen>(test::curved(test::measured(arc, 30, 20)));
+  test::Random random(13);
+  for (int i = 0; i < 50; ++i) {
+    const glm::dvec2 share(random.in(0.0, 0.7), random.in(0.0, 1.0));
+    const auto pointed =
+        pointedIn(wall, kPane, glm::dvec2(kPane.position_px) + share * glm::dvec2(kPane.size_px));
+    ASSERT_TRUE(pointed);
+    EXPECT_LT(glm::distance(pointed->onWall_m, arc.placeOn_m({share.x, 1.0 - share.y})), 2e-3);
+  }
+  EXPECT_FALSE(pointedIn(wall, kPane,
+                         glm::dvec2(kPane.position_px) + glm::dvec2(0.9, 0.5) * glm::dvec2(kPane.size_px)));
 }
 
 }  // namespace

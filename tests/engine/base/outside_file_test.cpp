@@ -15,7 +15,8 @@ using test::TemporaryFolder;
 TEST(OutsideFile, OnlyARegularFileOfItsSizeIsOpened) {
   for (const InputKind kind :
        {InputKind::toml, InputKind::json, InputKind::xml, InputKind::trace, InputKind::mesh,
-        InputKind::meshPart, InputKind::warp, InputKind::blend, InputKind::session}) {
+        InputKind::meshPart, InputKind::warp, InputKind::blend, InputKind::session, InputKind::screenMesh,
+        InputKind::screenGrid, InputKind::mpcdi}) {
     const TemporaryFolder folder;
     for (const test::BadThing& bad : test::badThings(kind)) {
       const auto path = folder / bad.name;

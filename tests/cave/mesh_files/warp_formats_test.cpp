@@ -1,5 +1,6 @@
 // Projectors' meshes from files: what is right is read, what is not is named with its place.
-#include "cave/room/warp_mesh.h"
+#include "cave/mesh_files/warp_formats.h"
+#include "cave/mesh_files/warp_file.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ std::string complaint(Warp (*parse)(std::string_view), const std::string& conten
   return "nothing is wrong";
 }
 
-TEST(WarpMesh, PfmHasAGridForEachEyeFromThePicturesTop) {
+TEST(WarpFormats, PfmHasAGridForEachEyeFromThePicturesTop) {
   for (const bool bigEndian : {false, true}) {
     const Warp warp = parsePfmWarp((bigEndian ? "PF\n4 2\n1.0\n" : kHeader) + bytesOf(twoByTwo(), bigEndian));
     ASSERT_EQ(warp.left.points.size(), 4U);
@@ -64,7 +65,7 @@ TEST(WarpMesh, PfmHasAGridForEachEyeFromThePicturesTop) {
   }
 }
 
-TEST(WarpMesh, ObjPairsPlacesAndCutsPolygons) {
+TEST(WarpFormats, ObjPairsPlacesAndCutsPolygons) {
   const Warp warp = parseObjWarp(kObj);
   ASSERT_EQ(warp.left.points.size(), 4U);
   EXPECT_EQ(warp.left.points[2].inWindow, glm::vec2(0.75F, 1.0F));
@@ -79,7 +80,7 @@ struct Fault {
   std::string said;
 };
 
-TEST(WarpMesh, WrongPfmsAreRefusedWithTheirPlace) {
+TEST(WarpFormats, WrongPfmsAreRefusedWithTheirPlace) {
   std::vector<float> notANumber = twoByTwo(), far = twoByTwo();
   notANumber[13] = std::numeric_limits<float>::quiet_NaN();
   far[3] = 100.0F;
@@ -108,7 +109,7 @@ TEST(WarpMesh, WrongPfmsAreRefusedWithTheirPlace) {
   }
 }
 
-TEST(WarpMesh, WrongObjsAreRefusedWithTheirPlace) {
+TEST(WarpFormats, WrongObjsAreRefusedWithTheirPlace) {
   for (const auto& [content, said] : {
            Fault{"", "there is no f, expected a triangle at least"},
            Fault{"v 0 0\nv 1 0\nv 0 1\nvt 0 0\nvt 1 0\nf 1 2 3\n", "there are 3 v and 2 vt"},
@@ -137,14 +138,15 @@ void expectSound(const WarpMesh& mesh) {
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t corner : triangle) ASSERT_LT(corner, mesh.points.size());
   }
-  for (const auto& [inWindow, inPicture, weight] : mesh.points) {
+  for (const auto& [inWindow, inPicture, weight, light] : mesh.points) {
     EXPECT_EQ(weight, 1.0F);  // files tell no other
+    EXPECT_EQ(light, 1.0F);
     for (const float value : {inWindow.x, inWindow.y, inPicture.x, inPicture.y})
       ASSERT_LE(std::abs(value), 16.0F);
   }
 }
 
-TEST(WarpMesh, SpoiledFilesAreRefusedOrSound) {
+TEST(WarpFormats, SpoiledFilesAreRefusedOrSound) {
   constexpr unsigned kSeed = 7;
   std::mt19937_64 random(kSeed);
   const std::string pfm = kHeader + bytesOf(twoByTwo());
@@ -168,11 +170,11 @@ TEST(WarpMesh, SpoiledFilesAreRefusedOrSound) {
   EXPECT_GT(read, 1000);
 }
 
-TEST(WarpMesh, FaultsOfAFileNameIt) {
+TEST(WarpFormats, FaultsOfAFileNameIt) {
   const test::TemporaryFolder folder;
   const auto said = [](const std::filesystem::path& path) {
     try {
-      readWarp(path);
+      readWarp(path, {4, 3});
     } catch (const std::runtime_error& error) {
       return std::string(error.what());
     }
@@ -181,7 +183,7 @@ TEST(WarpMesh, FaultsOfAFileNameIt) {
   const auto broken = folder.file("broken.pfm", "PF\n4 2\n-1.0\n");
   EXPECT_TRUE(said(broken).starts_with(broken.string() + ":1:1: 4 × 2 points take 96 bytes")) << said(broken);
   EXPECT_NE(said(folder / "none.obj").find("there is no such file, expected a warp mesh"), std::string::npos);
-  EXPECT_EQ(readWarp(folder.file("good.obj", kObj)).left.points.size(), 4U);
+  EXPECT_EQ(readWarp(folder.file("good.obj", kObj), {4, 3}).left.points.size(), 4U);
 }
 
 }  // namespace
