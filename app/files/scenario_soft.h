@@ -23,7 +23,7 @@ void checkSoft(const BilliardSetup& setup, const std::vector<TomlTable>& tables,
 /// Returns findings about unusual soft pucks.
 std::vector<Finding> oddSoft(const BilliardSetup& setup, const std::vector<TomlTable>& tables);
 
-/// Returns what is said of a puck that could not be followed.
+/// Returns the warning about a puck that could not be followed.
 std::string crushedText(const std::string& puck, double t_s);
 
 }  // namespace carom

@@ -117,7 +117,7 @@ void Game::advance(double t_s, FrameState& state) {
   for (SoftRow& row : state.rows) row.body += kFirstPuck;
 }
 
-// A stroke can undo what was told; what happens then instead is told, too.
+// A stroke can undo a crush that was told; a later one is told, too.
 void Game::tellCrushed() {
   const std::vector<FrozenPuck> frozen = billiard_.frozen();
   crushed_ = std::min(crushed_, frozen.size());

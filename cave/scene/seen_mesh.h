@@ -21,8 +21,8 @@ namespace carom {
 struct SeenBody {
   std::string name;
   WorldLine worldLine;
-  /// Of a soft puck: the rows of its nodes, from which its soft model is shown instead of its parts. What is
-  /// seen of a puck that was rigid before its first row is on its world line.
+  /// Of a soft puck: the rows of its nodes, from which its soft model is shown instead of its parts. Light
+  /// from before the first row of a puck that was rigid then comes from its world line.
   const SoftHistory* rows = nullptr;
 };
 
