@@ -99,8 +99,12 @@ JsonNode planeOf(const Part& element) {
 
 JsonNode projectionOf(const Part& element) {
   JsonNode projection = plainOf(element, "projection");
-  projection.children.insert(projection.children.begin(), textAt(element, "type", element.name));
-  if (isElement(element, "PlanarProjection")) projection.children.front().text = "PlanarProjection";
+  std::string type = element.name;
+  for (const char* known : {"PlanarProjection", "FisheyeProjection", "EquirectangularProjection",
+                            "CylindricalProjection", "SphericalMirrorProjection"}) {
+    if (isElement(element, known)) type = known;
+  }
+  projection.children.insert(projection.children.begin(), textAt(element, "type", std::move(type)));
   return projection;
 }
 

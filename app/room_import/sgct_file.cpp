@@ -228,8 +228,9 @@ Room readSgct(const std::filesystem::path& file, JsonNode root) {
   }
   if (in.room.walls.empty() && !in.room.hasErrors()) {
     addError(in.room, in.root.at,
-             "no viewport here shows a flat wall, expected one with a projection of type 'ProjectionPlane' "
-             "or 'PlanarProjection'");
+             "no viewport here shows a wall, expected one with a projection of type 'ProjectionPlane', "
+             "'PlanarProjection', 'FisheyeProjection', 'EquirectangularProjection', "
+             "'CylindricalProjection' or 'SphericalMirrorProjection'");
   }
   shareWindow(in);
   assume(in);

@@ -10,7 +10,7 @@
 namespace carom {
 
 /// Reads the whole file. Faults of single values become findings and their walls are left out, as are
-/// projections that correspond to no flat wall. Throws InputErrors if the file cannot be read or is not JSON.
+/// projections that show no wall. Throws InputErrors if the file cannot be read or is not JSON.
 Room readSgct(const std::filesystem::path& file);
 /// The same of a file's content in another syntax.
 Room readSgct(const std::filesystem::path& file, JsonNode root);

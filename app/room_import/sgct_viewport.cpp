@@ -11,6 +11,7 @@
 
 #include "app/room_import/room_check.h"
 #include "app/room_import/sgct_planar.h"
+#include "app/room_import/sgct_sky.h"
 #include "app/room_import/sgct_values.h"
 #include "cave/room/rectangle.h"
 
@@ -82,20 +83,6 @@ bool readPlace(const JsonNode& viewport, const SgctWindow& window, Wall& wall, S
 }
 
 bool readPlane(const JsonNode& projection, RoomWall& wall, SgctReading& in) {
-  const JsonNode* type = member(projection, "type", Kind::text, "a text", in.room);
-  if (!type) {
-    if (!projection.member("type")) addError(in.room, projection.at, "type is missing in projection");
-    return false;
-  }
-  if (type->text == "PlanarProjection") return readPlanar(projection, wall, in);
-  if (type->text != "ProjectionPlane") {
-    addWarning(
-        in.room, type->at,
-        fmt::format("a projection of type '{}' shows no flat wall: this viewport is left out, expected "
-                    "'ProjectionPlane' or 'PlanarProjection'",
-                    printable(type->text)));
-    return false;
-  }
   noteUnknown(projection, kPlaneKeys, in.room);
   std::array<std::optional<std::array<double, 3>>, 3> read;
   bool sound = true;
@@ -118,6 +105,23 @@ bool readPlane(const JsonNode& projection, RoomWall& wall, SgctReading& in) {
     return false;
   }
   return true;
+}
+
+/// Reads what a viewport shows into a wall that has its pixels already.
+bool readProjection(const JsonNode& viewport, const JsonNode& projection, RoomWall& wall, SgctReading& in) {
+  const JsonNode* type = member(projection, "type", Kind::text, "a text", in.room);
+  if (!type) {
+    if (!projection.member("type")) addError(in.room, projection.at, "type is missing in projection");
+    return false;
+  }
+  if (type->text == "ProjectionPlane") return readPlane(projection, wall, in);
+  if (type->text == "PlanarProjection") return readPlanar(projection, wall, in);
+  if (isSgctSky(type->text)) return readSgctSky(viewport, projection, wall, in);
+  addWarning(in.room, type->at,
+             fmt::format("a projection of type '{}' shows no wall: this viewport is left out, expected a "
+                         "plane, fisheye, cylinder, equirectangular picture or spherical mirror",
+                         printable(type->text)));
+  return false;
 }
 
 }  // namespace
@@ -149,12 +153,11 @@ void readViewport(const JsonNode& node, const SgctWindow& window, SgctReading& i
   wall.wall.flip = window.flip;
   wall.wall.stereo = eyeOf(node, window, in);
   checkUser(node, in);
-  const bool placed = readPlace(node, window, wall.wall, in);
-  if (!readPlane(*projection, wall, in) || !placed) return;
+  if (!readPlace(node, window, wall.wall, in) || !readProjection(node, *projection, wall, in)) return;
   if (in.room.walls.size() == kMostWalls) {
     return addError(in.room, node.at, fmt::format("there are more than {} walls", kMostWalls));
   }
-  wall.wall.name = rigName(in.room, sideOf(wall.wall, in.room.axes));
+  wall.wall.name = rigName(in.room, wall.wall.sky ? "sky" : sideOf(wall.wall, in.room.axes));
   in.room.walls.push_back(std::move(wall));
   in.ofWindow.push_back(in.windows);
   in.places.push_back({window.position_px, window.size_px, window.monitor, window.fullscreen});

@@ -33,7 +33,8 @@ const std::string kRoom =
 TEST(SgctXml, BothVersionsAreReadAsTheJson) {
   const Room room = roomOf("room.xml", kRoom);
   EXPECT_FALSE(room.hasErrors()) << allFindings(room);
-  ASSERT_EQ(room.walls.size(), 2u) << allFindings(room);
+  ASSERT_EQ(room.walls.size(), 3u) << allFindings(room);
+  EXPECT_TRUE(room.walls[2].wall.sky) << "a fisheye";
   expectCorners(room, "front", {-2, 0, -2}, {2, 0, -2}, {-2, 2, -2});
   expectCorners(room, "front-2", {0, 0, -2}, {2, 0, -2}, {0, 2, -2});
   EXPECT_EQ(room.walls[0].wall.stereo, StereoMode::sideBySide);
@@ -46,8 +47,10 @@ TEST(SgctXml, BothVersionsAreReadAsTheJson) {
 }
 
 TEST(SgctXml, NamesWhatItLeavesOut) {
-  const Room room = roomOf("room.xml", kRoom);
-  EXPECT_EQ(findingWith(room, "a projection of type 'FisheyeProjection'").at.line, 6) << allFindings(room);
+  const Room room = roomOf("room.xml", with(kRoom, "FisheyeProjection fov='180'", "SpoutOutputProjection"));
+  EXPECT_EQ(findingWith(room, "a projection of type 'SpoutOutputProjection'").at.line, 6)
+      << allFindings(room);
+  ASSERT_EQ(room.walls.size(), 2u);
 }
 
 TEST(SgctXml, AnglesGiveAPlane) {
