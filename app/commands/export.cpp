@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <functional>
@@ -18,6 +19,7 @@
 #include "app/play/game.h"
 #include "app/session/recorded_source.h"
 #include "app/session/replay_visitor_source.h"
+#include "app/session/soft_replay_source.h"
 #include "app/stage/scenario_scene.h"
 #include "app/tables/csv_text.h"
 #include "app/tools/option_values.h"
@@ -164,9 +166,15 @@ class Series {
         scene_(sceneOf(recorded.scenario, {})),
         bodies_(seenBodies(
             recorded.scenario,
-            std::span(recorded.game.world.histories).subspan(1, recorded.scenario.billiard.pucks.size()))) {}
+            std::span(recorded.game.world.histories).subspan(1, recorded.scenario.billiard.pucks.size()))) {
+    if (!hasSoftPucks(recorded.scenario)) return;
+    game_.emplace(recorded.scenario, recorded.session.strokes(recorded.scenario.billiard.pucks));
+    world_.histories = startingHistories(recorded.scenario);
+  }
 
-  void add(const FrameRecord& frame, const Observation& eye) {
+  void add(const SeenFrame& seen, const Observation& eye) {
+    const FrameRecord& frame = seen.record;
+    if (game_) playTo(eye.event.t_s, seen.self.observer);
     const std::string name = fmt::format("seen_{:06}.vtp", frame.number);
     folder_.write(name, vtpText(seenMesh(scene_, bodies_, eye.event, eye.headFromBoard)));
     index_ +=
@@ -180,9 +188,21 @@ class Series {
   }
 
  private:
+  /// Plays the soft pucks on: their rows are not in the session file (app/session/soft_replay_source.h).
+  void playTo(double t_s, const ObserverView& observer) {
+    game_->advance(t_s, played_);
+    game_->forget(world_, {&observer, 1}, played_);
+    applyFrame(played_, world_);
+    for (std::size_t body = 0; body < std::min(bodies_.size(), world_.soft.size()); ++body)
+      bodies_[body].rows = world_.soft[body].rows.rowCount() > 0 ? &world_.soft[body].rows : nullptr;
+  }
+
   WholeFolder folder_;
   Scene scene_;
   std::vector<SeenBody> bodies_;
+  std::optional<Game> game_;  // with soft pucks
+  FrameState played_;
+  World world_;
   std::string index_;
 };
 
@@ -217,7 +237,7 @@ int runExport(const ExportOptions& options) {
     if (frame.record.number % options.every != 0) return;
     const Observation eye(frame.self.observer);
     if (csv) csv->add(rowsOf(recorded, frame, eye));
-    if (series) series->add(frame.record, eye);
+    if (series) series->add(frame, eye);
     ++frames;
     progress.at(frame.record.number);
   };

@@ -180,4 +180,10 @@ std::vector<Finding> oddSoft(const BilliardSetup& setup, const std::vector<TomlT
   return odd;
 }
 
+std::string crushedText(const std::string& puck, double t_s) {
+  return fmt::format(
+      "puck '{}' was crushed more than can be computed at t = {:.6g} s, and went on in its mean motion", puck,
+      t_s);
+}
+
 }  // namespace carom

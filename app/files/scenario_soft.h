@@ -23,4 +23,7 @@ void checkSoft(const BilliardSetup& setup, const std::vector<TomlTable>& tables,
 /// Returns findings about unusual soft pucks.
 std::vector<Finding> oddSoft(const BilliardSetup& setup, const std::vector<TomlTable>& tables);
 
+/// Returns the warning about a puck that could not be followed.
+std::string crushedText(const std::string& puck, double t_s);
+
 }  // namespace carom

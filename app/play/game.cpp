@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "app/files/scenario_soft.h"
 #include "cave/frame/bodies.h"
+#include "engine/base/log.h"
 #include "engine/light/light_cone.h"
 
 namespace carom {
@@ -65,6 +67,7 @@ BilliardSetup with(BilliardSetup setup, std::span<const Stroke> struck) {
 
 Game::Game(const Scenario& scenario, std::span<const Stroke> struck)
     : billiard_(with(scenario.billiard, struck)) {
+  for (const Puck& puck : scenario.billiard.pucks) names_.push_back(puck.name);
   billiard_.takeChanges();
   billiard_.playAhead();
 }
@@ -94,6 +97,7 @@ void Game::playToNowOf(const ObserverView& observer) {
 
 void Game::advance(double t_s, FrameState& state) {
   billiard_.advanceTo(t_s);
+  tellCrushed();
   const Changes changes = billiard_.takeChanges();
   state.record.truncateFrom_s = changes.truncatedFrom_s.value_or(std::numeric_limits<double>::infinity());
   state.record.eventsKept = changes.eventsKept;
@@ -111,6 +115,14 @@ void Game::advance(double t_s, FrameState& state) {
   std::swap(state.rows, rows_.rows);
   std::swap(state.rowNodes, rows_.nodes);
   for (SoftRow& row : state.rows) row.body += kFirstPuck;
+}
+
+// A stroke can undo a crush that was told; a later one is told, too.
+void Game::tellCrushed() {
+  const std::vector<FrozenPuck> frozen = billiard_.frozen();
+  crushed_ = std::min(crushed_, frozen.size());
+  for (; crushed_ < frozen.size(); ++crushed_)
+    log::warn(crushedText(names_[frozen[crushed_].puck], frozen[crushed_].t_s));
 }
 
 void Game::forget(const World& world, std::span<const ObserverView> observers, FrameState& state) {

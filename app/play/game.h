@@ -2,6 +2,7 @@
 // The game on rank 0: a billiard simulated ahead of what anyone can see, and its changes in each frame.
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "app/files/scenario.h"
@@ -50,7 +51,8 @@ class Game {
   /// Simulates until every puck's motion is known at the head's own moment, which may lie ahead on the board.
   void playToNowOf(const ObserverView& observer);
 
-  /// Simulates to board time `t_s` and adds to `state` the knots that no frame has carried yet.
+  /// Simulates to board time `t_s` and adds to `state` the knots that no frame has carried yet. Warns of each
+  /// soft puck that could not be followed.
   void advance(double t_s, FrameState& state);
 
   /// Discards the history before `forgettableBefore_s` of all these observers, and tells every rank to do the
@@ -58,7 +60,11 @@ class Game {
   void forget(const World& world, std::span<const ObserverView> observers, FrameState& state);
 
  private:
+  void tellCrushed();
+
   Billiard billiard_;
+  std::vector<std::string> names_;  // of the pucks
+  std::size_t crushed_ = 0;         // of them it is said
   SoftRows rows_;
   bool begun_ = false;
 };

@@ -62,7 +62,7 @@ class SpectatorWindow : public View {
   SpectatorWindow(SpectatorView& room, const DisplayWalls& walls) : room_(room), walls_(walls) {}
 
   void draw(const FrameRecord& record, const World& world) override {
-    room_.draw(record, world.histories, walls_);
+    room_.draw(record, world, walls_);
     room_.show();
   }
   void swap() override { room_.swap(); }

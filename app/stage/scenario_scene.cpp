@@ -155,19 +155,46 @@ void examineMeshes(const Scenario& scenario) {
     if (!large.contains(pathOf(body.mesh))) checkSpin(body, scenario.billiard.lightSpeed_m_s);
 }
 
-std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks) {
+std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks,
+                                 std::span<const SoftPast> soft) {
   std::vector<SeenBody> bodies{{"table and hall", restingWorldLine(scenario.billiard.lightSpeed_m_s)}};
   for (std::size_t i = 0; i < pucks.size(); ++i)
     bodies.push_back({scenario.billiard.pucks[i].name, pucks[i]});
   for (const ScriptedBody& body : scenario.bodies) bodies.push_back({body.name, body.worldLine});
+  for (std::size_t i = 0; i < std::min(bodies.size(), soft.size()); ++i)
+    bodies[i].rows = soft[i].rows.rowCount() > 0 ? &soft[i].rows : nullptr;
   return bodies;
 }
+
+namespace {
+
+/// Plays the scenario up to a board time. Returns the rows of its soft pucks, of every body of its scene or
+/// none.
+std::vector<SoftPast> softUntil(const Scenario& scenario, double until_s) {
+  const auto isSoft = [](const Puck& puck) { return puck.soft.has_value(); };
+  const std::vector<Puck>& pucks = scenario.billiard.pucks;
+  if (std::none_of(pucks.begin(), pucks.end(), isSoft)) return {};
+  Billiard billiard(scenario.billiard);
+  billiard.advanceTo(until_s);
+  SoftRows made;
+  billiard.takeSoftRows(made);
+  std::vector<SoftPast> soft(kFirstPuck + pucks.size());
+  std::size_t first = 0;
+  for (const SoftRow& row : made.rows) {
+    soft[kFirstPuck + row.body].rows.append(row, std::span(made.nodes).subspan(first, row.nodes));
+    first += row.nodes;
+  }
+  return soft;
+}
+
+}  // namespace
 
 std::string seenSceneVtp(const Scenario& scenario, std::span<const WorldLine> pucks, const Event& observation,
                          const Lorentz& headFromBoard) {
   openMeshes(scenario);
+  const std::vector<SoftPast> soft = softUntil(scenario, observation.t_s);
   const SeenMesh seen =
-      seenMesh(sceneOf(scenario, {}), seenBodies(scenario, pucks), observation, headFromBoard);
+      seenMesh(sceneOf(scenario, {}), seenBodies(scenario, pucks, soft), observation, headFromBoard);
   log::note(fmt::format("The seen scene: {} points; {} are unseen, and {} triangles with them.",
                         seen.mesh->GetNumberOfPoints(), seen.unseenPoints, seen.unseenTriangles));
   return vtpText(seen);

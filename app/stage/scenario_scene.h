@@ -8,6 +8,7 @@
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "cave/mesh/tessellation.h"
+#include "cave/record/frame_state.h"
 #include "cave/scene/scene.h"
 #include "cave/scene/seen_mesh.h"
 #include "engine/spacetime/event.h"
@@ -31,8 +32,10 @@ void openMeshes(const Scenario& scenario);
 /// them, and keeps none.
 void examineMeshes(const Scenario& scenario);
 
-/// Returns the bodies of the scenario's scene. `pucks` are their world lines.
-std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks);
+/// Returns the bodies of the scenario's scene. `pucks` are their world lines; `soft`, of every body or none,
+/// is kept by reference.
+std::vector<SeenBody> seenBodies(const Scenario& scenario, std::span<const WorldLine> pucks,
+                                 std::span<const SoftPast> soft = {});
 
 /// Returns the whole scenario as seen by an eye at `observation` with rest frame `headFromBoard`, as the
 /// bytes of a .vtp file (cave/scene/seen_mesh.h). `pucks` are their world lines. Prints to standard error how

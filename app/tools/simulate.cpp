@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/files/scenario.h"
+#include "app/files/scenario_soft.h"
 #include "app/tables/json_text.h"
 #include "app/tools/option_values.h"
 #include "engine/base/log.h"
@@ -537,10 +538,8 @@ int runSimulate(const SimulateOptions& options) {
     moments.push_back(momentAt(billiard, points, t_s));
   }
   for (const FrozenPuck& frozen : billiard.frozen()) {
-    log::warn(
-        fmt::format("{}: puck '{}' was crushed more than can be computed at t = {:.6g} s, and went on in its "
-                    "mean motion",
-                    options.scenario.string(), scenario.billiard.pucks[frozen.puck].name, frozen.t_s));
+    log::warn(fmt::format("{}: {}", options.scenario.string(),
+                          crushedText(scenario.billiard.pucks[frozen.puck].name, frozen.t_s)));
   }
   if (!billiard.jams().empty()) {
     const JamNote& first = billiard.jams().front();

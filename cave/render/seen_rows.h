@@ -16,7 +16,7 @@
 
 namespace carom {
 
-/// What is told by a body's colours instead of its paint.
+/// The quantity that a body's colours tell instead of its paint.
 enum class Told : std::uint8_t { nothing, strain, heat };
 
 /// A vertex as shaders take it.
@@ -28,7 +28,7 @@ struct SeenVertex {
   glm::vec3 normal{0.0F};    ///< in the vertex's own frame, in the board's axes
 };
 
-/// A sphere around what is drawn, and how the middle moves.
+/// A sphere around the drawn vertices, and how its middle moves.
 struct SeenBound {
   glm::dvec3 middle{0.0};
   double radius = 0.0;

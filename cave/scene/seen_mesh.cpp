@@ -1,7 +1,9 @@
 #include "cave/scene/seen_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <vtkCellArray.h>
@@ -16,6 +18,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include "engine/light/light_cone.h"
+#include "engine/light/sampled_history.h"
 
 namespace carom {
 namespace {
@@ -25,6 +28,26 @@ vtkSmartPointer<vtkDoubleArray> makeArray(const char* name, int components) {
   array->SetName(name);
   array->SetNumberOfComponents(components);
   return array;
+}
+
+/// Returns the history of a soft body's points by its rows. Before the first one, if it was soft from the
+/// beginning, and after the last, they move as its nodes do there.
+SampledHistory historyOf(const SoftModel& model, const SoftHistory& rows, double c_m_s) {
+  constexpr double kBefore_m = 1000.0, kAfter_m = 1.0;  // of light
+  std::vector<double> times_s;
+  std::vector<Vec3> places_m, velocities;
+  const auto add = [&](std::size_t k, double later_m) {
+    times_s.push_back((rows.row(k).time + later_m) / c_m_s);
+    for (const SoftModel::Point& point : model.points) {
+      const glm::dvec2 v = rows.velocityAfter(k, point.node), at_m = rows.place(k, point.node) + later_m * v;
+      places_m.emplace_back(at_m, 0.5 * model.height_m + point.z_m);
+      velocities.emplace_back(v, 0.0);
+    }
+  };
+  if (rows.row(0).wasRigid == 0) add(0, -kBefore_m);
+  for (std::size_t k = 0; k < rows.rowCount(); ++k) add(k, 0.0);
+  add(rows.rowCount() - 1, kAfter_m);
+  return {c_m_s, std::move(times_s), std::move(places_m), std::move(velocities)};
 }
 
 /// Collects the seen points of one part after another.
@@ -46,6 +69,35 @@ class Gathering {
       places.push_back(seen ? add(*seen, offset_m, part.body) : -1);
     }
     return places;
+  }
+
+  /// Adds the points of a soft body.
+  std::vector<vtkIdType> addPoints(const SoftModel& model, const SeenBody& body) {
+    const SampledHistory history = historyOf(model, *body.rows, headFromBoard_.lightSpeed_m_s());
+    std::vector<vtkIdType> places;
+    for (std::size_t i = 0; i < model.points.size(); ++i) {
+      const Vec3 offset_m(model.relaxed_m[model.points[i].node], model.points[i].z_m);
+      std::optional<Emission> seen = history.seenAt(i, observation_, headFromBoard_);
+      if (!seen) seen = emission(body.worldLine, offset_m, observation_, headFromBoard_);
+      if (seen) seen->properTime_s = body.worldLine.at(seen->event.t_s).properTime_s;
+      places.push_back(seen ? add(*seen, offset_m, model.body) : -1);
+    }
+    return places;
+  }
+
+  /// Adds its triangles whose corners are all seen. Returns how many are left out.
+  std::size_t addTriangles(const SoftModel& model, const std::vector<vtkIdType>& places) {
+    std::size_t leftOut = 0;
+    for (std::size_t k = 0; k + 2 < model.surface.size(); k += 3) {
+      std::array<vtkIdType, 3> corners{};
+      for (std::size_t j = 0; j < 3; ++j) corners[j] = places[model.vertices[model.surface[k + j]].point];
+      if (std::any_of(corners.begin(), corners.end(), [](vtkIdType place) { return place < 0; })) {
+        ++leftOut;
+      } else {
+        triangles_->InsertNextCell(3, corners.data());
+      }
+    }
+    return leftOut;
   }
 
   /// Adds the part's triangles whose corners are all seen. Returns how many are left out.
@@ -139,14 +191,20 @@ SeenMesh seenMesh(const Scene& scene, std::span<const SeenBody> bodies, const Ev
   SeenMesh seen;
   Gathering gathering(observation, headFromBoard);
   std::vector<Count> counts(bodies.size());
-  for (const ScenePart& part : scene.parts) {
-    if (part.paint == Paint::shadow) continue;
-    const std::vector<vtkIdType> places = gathering.addPoints(part, bodies[part.body].worldLine);
+  const auto add = [&](const auto& shape, std::size_t body, const std::vector<vtkIdType>& places) {
     const auto unseen = static_cast<std::size_t>(std::count(places.begin(), places.end(), -1));
-    counts[part.body].points += places.size();
-    counts[part.body].unseen += unseen;
+    counts[body].points += places.size();
+    counts[body].unseen += unseen;
     seen.unseenPoints += unseen;
-    seen.unseenTriangles += gathering.addTriangles(part, places);
+    seen.unseenTriangles += gathering.addTriangles(shape, places);
+  };
+  for (const ScenePart& part : scene.parts) {
+    if (part.paint == Paint::shadow || bodies[part.body].rows) continue;
+    add(part, part.body, gathering.addPoints(part, bodies[part.body].worldLine));
+  }
+  for (const SoftModel& model : scene.soft) {
+    if (model.told || !bodies[model.body].rows) continue;
+    add(model, model.body, gathering.addPoints(model, bodies[model.body]));
   }
   seen.mesh = gathering.mesh();
   addFields(*seen.mesh, bodies, counts, observation, headFromBoard.lightSpeed_m_s());

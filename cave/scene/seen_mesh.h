@@ -10,6 +10,7 @@
 #include <vtkSmartPointer.h>
 
 #include "cave/scene/scene.h"
+#include "engine/soft/soft_history.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/lorentz.h"
 #include "engine/spacetime/world_line.h"
@@ -20,13 +21,16 @@ namespace carom {
 struct SeenBody {
   std::string name;
   WorldLine worldLine;
+  /// Of a soft puck: the rows of its nodes, from which its soft model is shown instead of its parts. Light
+  /// from before the first row of a puck that was rigid then comes from its world line.
+  const SoftHistory* rows = nullptr;
 };
 
 struct SeenMesh {
   /// Points: emission − observation in the head frame, relative to the eye (metres), for all that is seen.
   /// Point arrays:
   ///   t_s, r_m        the emission event, board frame
-  ///   proper_time_s   of the point's own clock then
+  ///   proper_time_s   of the point's own clock then; of a soft puck, its centre's
   ///   doppler         ν_seen/ν_emitted
   ///   body            index into body_names
   ///   offset_m        the point on its body, from its centre, in its rest frame

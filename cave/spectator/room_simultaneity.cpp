@@ -7,6 +7,16 @@
 
 namespace carom {
 
+glm::dmat3 bodyFromRoomNow(const Lorentz& boardFromRoom, const glm::dvec3& u) {
+  const Lorentz bodyFromRoom = Lorentz::boost(-u, boardFromRoom.lightSpeed_m_s()) * boardFromRoom;
+  const glm::dmat4& m = bodyFromRoom.matrix();
+  glm::dmat3 now;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) now[column][row] = m[column + 1][row + 1];
+  }
+  return now;
+}
+
 RoomSimultaneity::RoomSimultaneity(const Lorentz& boardFromRoom, const Event& event,
                                    const glm::dvec3& placeInRoom_m)
     : boardFromRoom_(boardFromRoom),
@@ -39,13 +49,7 @@ Motion RoomSimultaneity::at(const WorldLine& line) const {
 std::optional<glm::dmat4> RoomSimultaneity::roomFromBody(const WorldLine& line) const {
   const Motion motion = at(line);
   if (motion.event.t_s < line.appears_s()) return std::nullopt;
-  const Lorentz bodyFromRoom = Lorentz::boost(-motion.u, line.lightSpeed_m_s()) * boardFromRoom_;
-  const glm::dmat4& m = bodyFromRoom.matrix();
-  glm::dmat3 bodyFromRoomNow;
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) bodyFromRoomNow[column][row] = m[column + 1][row + 1];
-  }
-  glm::dmat4 result(glm::inverse(bodyFromRoomNow));
+  glm::dmat4 result(glm::inverse(bodyFromRoomNow(boardFromRoom_, motion.u)));
   result[3] = glm::dvec4(placeInRoom_m_ + (roomFromBoard_ * (motion.event - event_)).dr_m, 1.0);
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -12,6 +13,10 @@
 #include "engine/spacetime/world_line.h"
 
 namespace carom {
+
+/// Returns the transform of what is apart in the room at one time of the room's clock to the rest frame, axes
+/// as the board's, of a body that moves with γβ = `u` on the board: d = Λ dr.
+glm::dmat3 bodyFromRoomNow(const Lorentz& boardFromRoom, const glm::dvec3& u);
 
 class RoomSimultaneity {
  public:

@@ -51,18 +51,22 @@ std::vector<unsigned> trianglesOf(vtkPolyData& mesh) {
 SolidDrawer::SolidDrawer() : program_(makeProgram("solid", shaders::solid_vert, shaders::solid_frag)) {}
 
 Solid SolidDrawer::upload(vtkPolyData& mesh, const glm::vec3& colour) const {
-  const std::vector<unsigned> triangles = trianglesOf(mesh);
+  return upload(verticesOf(mesh), trianglesOf(mesh), colour);
+}
+
+Solid SolidDrawer::upload(std::span<const SolidVertex> vertices, std::span<const unsigned> triangles,
+                          const glm::vec3& colour) const {
   Solid solid{
       {program_,
        {{"place_m", 3, offsetof(SolidVertex, place_m)}, {"normal", 3, offsetof(SolidVertex, normal)}}},
       {},
       static_cast<int>(triangles.size()),
       colour};
-  solid.vertices.upload(verticesOf(mesh));
+  solid.vertices.upload(vertices);
   solid.vertices.bind();
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, solid.triangles);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(unsigned)),
-               triangles.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size_bytes()), triangles.data(),
+               GL_STATIC_DRAW);
   glBindVertexArray(0);
   return solid;
 }

@@ -1,6 +1,8 @@
 #pragma once
 // Draws meshes of one colour in soft light of their own, not in the game's light.
 
+#include <span>
+
 #include <vtkPolyData.h>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -28,6 +30,9 @@ class SolidDrawer {
   SolidDrawer();
 
   Solid upload(vtkPolyData& mesh, const glm::vec3& colour) const;
+  /// Does the same for vertices, which may be uploaded anew, and the corners of triangles.
+  Solid upload(std::span<const SolidVertex> vertices, std::span<const unsigned> triangles,
+               const glm::vec3& colour) const;
 
   /// Begins drawing, within a GlStateGuard. `up`, `right`: the room's axes, which set the direction of the
   /// light.

@@ -19,6 +19,7 @@
 #include "cave/spectator/outside_view.h"
 #include "cave/spectator/room_simultaneity.h"
 #include "cave/spectator/room_surfaces.h"
+#include "cave/spectator/soft_solids.h"
 #include "cave/spectator/solid_drawer.h"
 #include "cave/spectator/viewer_model.h"
 #include "cave/texts/texts.h"
@@ -75,6 +76,7 @@ struct SpectatorView::Drawing {
   std::vector<Solid> table;
   std::vector<Corners> tableEdges;  ///< around the cloth and around the rails, on the board
   std::vector<BodySolid> bodies;
+  std::optional<SoftSolids> soft;
   LineBatch ribbons;
   std::vector<Ribbon> lines;
   OutsideView view;
@@ -126,6 +128,7 @@ void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const SceneP
     if (part.body == kRestingBody || part.paint == Paint::shadow) continue;
     bodies.push_back({part.body, solids.upload(*part.mesh, part.colour)});
   }
+  soft.emplace(scene, solids);
 }
 
 void SpectatorView::Drawing::drawViewers(const FrameRecord& record) const {
@@ -141,7 +144,9 @@ void SpectatorView::Drawing::drawBodies(const RoomSimultaneity& moment, std::spa
                                         float covers) const {
   std::size_t placed = histories.size();
   std::optional<glm::dmat4> place;
+  soft->draw(solids, covers);
   for (const BodySolid& part : bodies) {
+    if (soft->has(part.body)) continue;
     if (part.body != placed) place = moment.roomFromBody(histories[part.body]);
     placed = part.body;
     if (place) solids.draw(part.solid, *place, covers);
@@ -220,8 +225,7 @@ void SpectatorView::setScene(const Scene& scene, std::span<const ScenePart> tabl
 
 SpectatorView::~SpectatorView() { drawing_->graphics.makeCurrent(); }
 
-void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> histories,
-                         const DisplayWalls& walls) {
+void SpectatorView::draw(const FrameRecord& record, const World& world, const DisplayWalls& walls) {
   Drawing& d = *drawing_;
   d.graphics.makeCurrent();
   d.size_px = d.window ? glm::max(d.window->size_px(), glm::ivec2(1)) : kPicture_px;
@@ -230,6 +234,8 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   d.putOn(record.headset);
   const EyeView& middle = record.viewers.front().observer.middle;
   const RoomSimultaneity moment(record.boardFromRoom, middle.observation, middle.seenFromInRoom_m);
+
+  d.soft->place(record.boardFromRoom, middle.observation, middle.seenFromInRoom_m, world.soft);
 
   d.target.forgetViewport();
   d.target.begin(d.size_px);
@@ -243,12 +249,12 @@ void SpectatorView::draw(const FrameRecord& record, std::span<const WorldLine> h
   // Draws dimly what stands behind a wall.
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_FALSE);
-  d.drawBodies(moment, histories, kBehindCovers);
+  d.drawBodies(moment, world.histories, kBehindCovers);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   d.drawViewers(record);
-  d.drawBodies(moment, histories, 1.0F);
-  const std::optional<glm::dmat4> roomFromTable = moment.roomFromBody(histories[kRestingBody]);
+  d.drawBodies(moment, world.histories, 1.0F);
+  const std::optional<glm::dmat4> roomFromTable = moment.roomFromBody(world.histories[kRestingBody]);
   if (roomFromTable) d.drawTable(*roomFromTable);
   d.drawLines(record, roomFromTable);
   glDisable(GL_DEPTH_TEST);

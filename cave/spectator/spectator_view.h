@@ -36,8 +36,8 @@ class SpectatorView {
   void setScene(const Scene& scene, std::span<const ScenePart> table);
 
   /// Draws the frame; call it after the walls are drawn. A wall that `walls` does not draw is an empty panel
-  /// with its name. `histories[i]` is body i of the scene.
-  void draw(const FrameRecord& record, std::span<const WorldLine> histories, const DisplayWalls& walls);
+  /// with its name. `world` has the scene's bodies.
+  void draw(const FrameRecord& record, const World& world, const DisplayWalls& walls);
 
   const RenderTarget& picture() const;
   /// Returns the picture for capture, to be written as outside-mono-FRAME.png.

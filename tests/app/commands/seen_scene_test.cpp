@@ -9,6 +9,7 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -176,6 +177,43 @@ TEST(SeenScene, IsTheSameEveryTimeAndWholeOrNotThere) {
   const auto checked = runCarom(folder, {"check", broken});
   EXPECT_EQ(checked.status, 1);
   EXPECT_NE(checked.err.find("error: " + bad + ":1:7: "), std::string::npos) << checked.err;
+}
+
+// A soft puck in the middle of a bounce: the rim of its mesh at both sides, where observe sees the matter.
+TEST(SeenScene, ASoftPuckIsSeenAsItIsDeformed) {
+  const TemporaryFolder folder;
+  folder.file("soft.toml",
+              "light_speed_m_s = 1.42\n[board]\nlength_m = 0.6\nwidth_m = 0.6\n[[puck]]\nname = \"jelly\"\n"
+              "radius_m = 0.03\nheight_m = 0.02\nmass_kg = 0.2\nposition_m = [0.2, 0.0]\nbeta = [0.6, 0.0]\n"
+              "[puck.soft]\ncells = 6\n");
+  const std::vector<std::string> eye{
+      (folder / "soft.toml").string(), "--event", "0.4", "0.2", "-0.4", "0.2", "--beta", "0.1", "0.2", "0.0"};
+  std::vector<std::string> asked{"observe"};
+  asked.insert(asked.end(), eye.begin(), eye.end());
+  asked.insert(asked.end(), {"--vtp", folder / "seen.vtp", "--json", "-"});
+  for (const char* x : {"-0.03", "0.03"}) asked.insert(asked.end(), {"--point", "jelly", x, "0", "0.01"});
+  const auto result = runCarom(folder, asked);
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json points = json::parse(result.out)["points"];
+  const auto mesh = readBack(folder / "seen.vtp");
+  constexpr double kRow_m = 2e-4;  // rows are within a tenth of a millimetre of the steps
+  std::array<double, 2> across{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    double nearest = 1.0;
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i) {
+      const std::vector<double> offset = tuple(*mesh, "offset_m", i), place = tuple(*mesh, "r_m", i);
+      const double side = k == 0 ? -0.03 : 0.03;
+      if (std::abs(offset[0] - side) > 1e-9 || std::abs(offset[1]) > 1e-9 ||
+          std::abs(offset[2] - 0.01) > 1e-6)
+        continue;
+      const json& from = points[k]["emission"]["r_m"];
+      nearest =
+          std::min(nearest, std::hypot(place[0] - from[0].get<double>(), place[1] - from[1].get<double>()));
+      across[k] = place[0];
+    }
+    EXPECT_LT(nearest, kRow_m) << points[k];
+  }
+  EXPECT_LT(across[1] - across[0], 0.75 * 0.06) << "pressed";
 }
 
 }  // namespace

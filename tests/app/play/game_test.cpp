@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "engine/light/light_cone.h"
+#include "log_lines.h"
 
 namespace carom {
 namespace {
@@ -107,6 +108,27 @@ TEST(Game, ItsFirstFrameBringsAllKnotsAndEvents) {
   }
   EXPECT_TRUE(flashed);
   EXPECT_EQ(knotsOf(again.histories), knotsOf(lived.histories));
+}
+
+// A soft puck too fast for its few cells.
+TEST(Game, ACrushedPuckIsToldOnce) {
+  Scenario scenario;
+  scenario.billiard.lightSpeed_m_s = 1.42;
+  scenario.billiard.board = Board{0.5, 0.5};
+  Puck puck;
+  puck.name = "jelly";
+  puck.radius_m = 0.03, puck.height_m = 0.02, puck.mass_kg = 0.2;
+  puck.beta = {0.998, 0.0};
+  puck.soft = SoftMatter{0.7, 4, 0.05, {}};
+  scenario.billiard.pucks = {puck};
+  const test::LogLines lines;
+  Game game(scenario);
+  FrameState frame;
+  for (double t_s = 0.02; t_s < 0.5; t_s += 0.02) game.advance(t_s, frame);
+  ASSERT_EQ(lines.said().size(), 1U);
+  EXPECT_NE(lines.said()[0].find("puck 'jelly' was crushed more than can be computed at t = 0.1"),
+            std::string::npos)
+      << lines.said()[0];
 }
 
 }  // namespace

@@ -38,15 +38,17 @@ bool isRun(const json& one, const std::vector<std::string>& quick) {
   return isThorough() || std::find(quick.begin(), quick.end(), one["id"]) != quick.end();
 }
 
-/// Returns the time at which a column has done half of its change.
+/// Returns the time at which a point's speed along x has done half of its change from the first state to the
+/// last; what it overshoots in between rings away.
 double turnsAt_s(const json& states, std::size_t point) {
   const auto speed = [&](const json& state) { return state["points"][point]["beta"][0].get<double>(); };
-  const double first = speed(states.front());
-  double last = first;
-  for (const json& state : states)
-    last = std::abs(speed(state) - first) > std::abs(last - first) ? speed(state) : last;
-  for (const json& state : states) {
-    if (std::abs(speed(state) - first) >= 0.5 * std::abs(last - first)) return state["t_s"];
+  const double first = speed(states.front()), change = speed(states.back()) - first;
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    const double before = (speed(states[k - 1]) - first) / change,
+                 after = (speed(states[k]) - first) / change;
+    if (after < 0.5) continue;
+    const double share = (0.5 - before) / (after - before), t_s = states[k - 1]["t_s"];
+    return t_s + share * (states[k]["t_s"].get<double>() - t_s);
   }
   return 0.0;
 }
@@ -199,6 +201,11 @@ TEST(SimulateSoft, BadInputIsNamedWithItsPlace) {
         Case{disc + "[puck.soft]\nviscosity = 0\n", "9:13: viscosity is 0"},
         Case{disc + "inertia = 0.4\n[puck.soft]\n", "8:11: inertia stands beside soft"},
         Case{disc + "spin_rad_s = 1.0\n[puck.soft]\n", "8:14: spin_rad_s stands beside soft"},
+        Case{disc + "spin_kg_m2_s = 0.001\n[puck.soft]\n", "8:16: spin_kg_m2_s stands beside soft"},
+        Case{disc + "[puck.soft]\n[physics]\npuck_friction = 0.1\n",
+             "10:17: puck_friction is 0.1, expected 0"},
+        Case{disc + "[puck.soft]\n[physics]\nstiff_sound_speed = 0.8\n", "10:21: stiff_sound_speed is 0.8"},
+        Case{disc + "[puck.soft]\nviscosity = 1.1\n", "9:13: viscosity is 1.1"},
         Case{disc + "[puck.soft]\n[physics]\nfriction_m_s2 = 0.1\n",
              "10:17: friction_m_s2 is 0.1, expected 0"},
         Case{disc + "[puck.soft]\n[physics]\ncushion_friction = 0.1\n",
@@ -235,6 +242,20 @@ TEST(SimulateSoft, WarnsOfWhatMayBeUncomputable) {
       "0.2\nposition_m = [0.0, 0.0]\nbeta = [0.95, 0.0]\n[puck.soft]\n";
   EXPECT_NE(saidOf(fast, 0).find("puck 'fast' can close at 0.95 c"), std::string::npos);
   EXPECT_EQ(saidOf(std::string(kDisc) + "[puck.soft]\n", 0), "");
+}
+
+TEST(SimulateSoft, SaysWhatWasCrushedMoreThanCanBeComputed) {
+  const TemporaryFolder folder;
+  folder.file("fast.toml",
+              "light_speed_m_s = 1.42\n[board]\nlength_m = 0.5\nwidth_m = 0.5\n[[puck]]\nname = \"fast\"\n"
+              "radius_m = 0.03\nmass_kg = 0.2\nposition_m = [0.0, 0.0]\nbeta = [0.998, 0.0]\n[puck.soft]\n"
+              "sound_speed = 0.7\ncells = 4\nviscosity = 0.05\n");
+  const std::string file = (folder / "fast.toml").string();
+  const test::ProgramResult result = runCarom(folder, {"simulate", file, "--until", "0.4", "--json", "-"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find(file + ": puck 'fast' was crushed more than can be computed at t = 0.1"),
+            std::string::npos)
+      << result.err;
 }
 
 TEST(SimulateSoft, CheckSaysWhatASoftPuckCosts) {
