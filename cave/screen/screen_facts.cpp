@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include <glm/geometric.hpp>
 
@@ -38,8 +39,11 @@ double lengthAlong_m(const ScreenMesh& whole, int axis) {
   return length_m;
 }
 
-/// Returns the angle between the normal that is farthest from the first one and the one farthest from that.
-double turns_rad(const std::vector<glm::dvec3>& normals) {
+/// Returns the angle of a cylinder; of others the angle between the normal that is farthest from the first
+/// one and the one farthest from that.
+double turns_rad(const CurvedScreen& screen, const std::vector<glm::dvec3>& normals) {
+  if (const auto* cylinder = std::get_if<CylinderScreen>(&screen.shape))
+    return cylinder->to_rad - cylinder->from_rad;
   const auto farthestFrom = [&](const glm::dvec3& normal) {
     return *std::min_element(normals.begin(), normals.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
       return glm::dot(a, normal) < glm::dot(b, normal);
@@ -103,7 +107,7 @@ ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, con
   facts.isBehind = mostSquarely <= 0.0 && !facts.isMirrored;
   facts.mostIncidence_rad =
       std::acos(std::clamp(facts.isMirrored ? -mostSquarely : leastSquarely, -1.0, 1.0));
-  facts.turns_rad = turns_rad(normals);
+  facts.turns_rad = turns_rad(screen, normals);
   facts.covered = shown_px2 / window_px2;
   facts.texelsPerPixel = texels / shown_px2;
   return facts;

@@ -10,7 +10,7 @@ namespace carom {
 
 struct ScreenFacts {
   double width_m = 0.0, height_m = 0.0;            ///< along the screen, through the middle of its window
-  double turns_rad = 0.0;                          ///< the angle between its normals that are farthest apart
+  double turns_rad = 0.0;                          ///< a cylinder's angle; of others, of its normals
   double leastPerMetre = 0.0, mostPerMetre = 0.0;  ///< pixels of the window
   double nearest_m = 0.0, farthest_m = 0.0;        ///< from the eyes
   double mostIncidence_rad = 0.0;                  ///< between the screen's normal and the line to the eyes

@@ -19,6 +19,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kPause = 2000ms;
 constexpr auto kPosesWithin = 5s;
+constexpr auto kFaultShown = 10s;
 constexpr std::size_t kMostBytes = 65536;  // read at once
 
 /// The program and its arguments: poses and buttons alone, none of what they are computed from.
@@ -42,8 +43,7 @@ class Lines {
     if (!readings_.empty()) sink_.deliver(readings_, arrival);
     if (decoder_.refused() > refused) {
       fault_ = decoder_.whyRefused();
-    } else if (!readings_.empty()) {
-      fault_.clear();
+      faultAt_ = arrival;
     }
     if (decoder_.devices().size() > named_) {
       named_ = decoder_.devices().size();
@@ -51,8 +51,9 @@ class Lines {
     }
   }
 
-  /// Tells the present fault, if it has changed.
+  /// Tells the latest fault, as long as somebody may want to read it, if it has changed.
   void remark() {
+    if (Clock::now() - faultAt_ > kFaultShown) fault_.clear();
     std::string remark = fault_;
     if (remark.empty() && Clock::now() - begun_ > kPosesWithin) remark = missing();
     if (remark == remark_) return;
@@ -89,6 +90,7 @@ class Lines {
   std::vector<Reading> readings_;
   std::size_t named_ = 0;
   std::string fault_, remark_;
+  Clock::time_point faultAt_{};
   const Clock::time_point begun_ = Clock::now();
 };
 

@@ -13,6 +13,7 @@
 #include "app/room_import/room_check.h"
 #include "app/temporary_folder.h"
 #include "cave/screen/curved_screen.h"
+#include "cave/screen/screen_facts.h"
 
 namespace carom {
 namespace {
@@ -222,6 +223,9 @@ TEST(SgctFile, ACylinderStandsRoundTheUser) {
   EXPECT_EQ(screen.top_m, 1.5);
   EXPECT_NEAR(screen.from_rad, -std::numbers::pi / 2.0, 1e-12);
   EXPECT_NEAR(screen.to_rad, 1.5 * std::numbers::pi, 1e-12);
+  const Wall& wall = room.walls[0].wall;
+  EXPECT_NEAR(factsOf(*wall.screen, wall.pixels, screen.foot_m).turns_rad, 2.0 * std::numbers::pi, 1e-12)
+      << "as carom check says";
 }
 
 TEST(SgctFile, AMirrorsMeshesAreNamed) {

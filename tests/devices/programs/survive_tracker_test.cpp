@@ -135,6 +135,8 @@ TEST(SurviveTracker, ALineOfAMegabyteIsNamedAndGoodOnesAreKept) {
   const std::size_t before = test::residentBytes();
   ASSERT_TRUE(head.comesTrue([&] { return head.samples.size() >= 5; }));
   EXPECT_EQ(head.health().refused, 4u);
+  EXPECT_TRUE(head.comesTrue([&] { return head.health().message.rfind("a line has over ", 0) == 0; }))
+      << head.health().message << ": the reason stays for somebody to read, though good lines came since";
   EXPECT_LT(test::residentBytes(), before + (8U << 20U));
 }
 
