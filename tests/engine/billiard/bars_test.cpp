@@ -1,10 +1,11 @@
 // Bars of 12 cm that meet face to face, or anyhow: they part on the side on which they touched, and slow ones
-// end as Newton's rigid bodies do. More pairs, up to 0.99 c, as a table: CAROM_PAIRS=200
-// build/release/bin/engine_billiard_test
-// --gtest_filter=BarsFaceToFace.*
+// end as Newton's rigid bodies do; and bars at any tilt and offset: on which side they end. More pairs, up to
+// 0.99 c, as tables: CAROM_PAIRS=200 build/release/bin/engine_billiard_test --gtest_filter='Bars*'
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -12,8 +13,8 @@
 #include <glm/geometric.hpp>
 
 #include "engine/billiard/billiard.h"
-#include "engine/billiard/newton_bodies.h"
-#include "engine/billiard/two_bars.h"
+#include "engine/newton_bodies.h"
+#include "engine/two_bars.h"
 
 namespace carom {
 namespace {
@@ -101,6 +102,89 @@ TEST(BarsFaceToFace, SlowOnesEndAsNewtonsDo) {
         if (!atContact) continue;
         EXPECT_LT(glm::length(apart - newton), 0.3 * kBeta);
       }
+    }
+  }
+}
+
+using test::BoardOverlap;
+
+struct Ends {
+  int pairs = 0, touched = 0, elsewhere = 0, untouched = 0;
+  std::size_t kicks = 0, most = 0;
+};
+
+Vec2 lastU(const Billiard& game, int i) {
+  const Vec3 u = game.worldLines()[i].knots().back().u;
+  return {u.x, u.y};
+}
+
+Vec2 betaOf(const Vec2& u) { return u / std::sqrt(1.0 + glm::dot(u, u)); }
+
+/// The impulse of a kick on the second bar, over its mass and c, but for heat and spin.
+Vec2 impulseOf(const GameEvent& kick) {
+  const auto u = [](const Vec2& beta) { return beta / std::sqrt(1.0 - glm::dot(beta, beta)); };
+  for (const Turn& turn : kick.turns)
+    if (turn.puck == 1) return u(turn.betaAfter) - u(turn.betaBefore);
+  return Vec2{0.0};
+}
+
+/// Whether bars recede against their last impulse after they have gone through each other: the shapes on the
+/// board have come out of each other on another side, and have not come back.
+void addEnd(const BilliardSetup& setup, Ends& ends) {
+  constexpr double kForever_s = 2000.0, kStep_m = 0.0004, kClear_m = 0.5;
+  Billiard game(setup);
+  game.advanceTo(kForever_s);
+  double lastTurn = 0.0;
+  for (const GameEvent& event : game.events())
+    for (const Turn& turn : event.turns) lastTurn = std::max(lastTurn, turn.event.t_s * setup.lightSpeed_m_s);
+  const double until = lastTurn + kClear_m / std::abs(setup.pucks[0].beta.x);
+  bool through = false;
+  const std::vector<BoardOverlap> overlaps = test::overlapsOnBoard(game, setup, 0.0, until, kStep_m);
+  for (const BoardOverlap& overlap : overlaps) through = through != overlap.isPassage();
+  ++ends.pairs;
+  ends.kicks += game.events().size(), ends.most = std::max(ends.most, game.events().size());
+  if (game.events().empty()) {
+    ends.untouched += !overlaps.empty();
+    return;
+  }
+  ++ends.touched;
+  const Vec2 apart = betaOf(lastU(game, 1)) - betaOf(lastU(game, 0));
+  ends.elsewhere += through && glm::dot(apart, impulseOf(game.events().back())) < 0.0;
+}
+
+// Where turns wait for light ("centre"), bars of which only the ends meet are past each other before their
+// centres are told: see app/doc/physics.md, Polygons. So it is a share of them, of fast ones, that ends on
+// another side.
+TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
+  const char* const asked = std::getenv("CAROM_PAIRS");
+  const int pairs = asked != nullptr ? std::atoi(asked) : 3;
+  std::vector<double> speeds{0.05, 0.1, 0.5, 0.99};
+  if (asked != nullptr) speeds = {0.05, 0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.99};
+  for (const bool atContact : {false, true}) {
+    for (const double beta : speeds) {
+      SCOPED_TRACE(testing::Message() << beta << (atContact ? " c, contact" : " c, centre"));
+      Ends all;
+      for (const double thick_m : {0.001, 0.003, 0.01, 0.03}) {
+        Ends ends;
+        for (const double restitution : {1.0, 0.8}) {
+          for (int n = 0; n < pairs; ++n) {
+            const Meeting meeting{thick_m, beta, restitution, atContact, 0.5 * M_PI, 0.12};
+            addEnd(test::twoBars(meeting, static_cast<unsigned>(n)), ends);
+          }
+        }
+        all.pairs += ends.pairs, all.elsewhere += ends.elsewhere, all.untouched += ends.untouched;
+        all.kicks += ends.kicks;
+        if (asked == nullptr) continue;
+        std::printf("%s %2.0f mm %.2f c: %3d of %3d elsewhere, %4.1f kicks, at most %zu\n",
+                    atContact ? "contact" : "centre ", thick_m * 1e3, beta, ends.elsewhere, ends.touched,
+                    static_cast<double>(ends.kicks) / ends.pairs, ends.most);
+        std::fflush(stdout);
+      }
+      const double most = beta <= 0.1 ? 0.02 : atContact ? 0.1 : 0.6;
+      EXPECT_LE(all.elsewhere, most * all.pairs);
+      EXPECT_EQ(all.untouched, 0);
+      // Some thick ones at 0.99 c slide along each other in hundreds of kicks: 19 a pair in the mean of 800.
+      EXPECT_LE(all.kicks, (beta < 0.99 ? 10u : 25u) * static_cast<std::size_t>(all.pairs));
     }
   }
 }
