@@ -19,7 +19,6 @@ MOST_MEMBERS, MOST_PRIVATE = 15, 12
 LARGE = {
     "BodyDrawer": "buffers, programs and uniforms of one pass of drawing",
     "CellGrid": "a data structure: the operations on one table of cells",
-    "CollisionScheduler": "is being split",
     "Console": "the panels of one window",
     "Corners": "the state of one search for a contact of corners",
     "DueQueue": "a data structure: the operations on one heap",
