@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cave/overlay/panel_place.h"
+#include "cave/overlay/wall_buttons.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/texts.h"
 
@@ -16,14 +17,20 @@ namespace {
 constexpr double kCodeHeight = 0.26;  // of the picture's height
 constexpr double kMostWidth = 0.9;    // of the picture's width
 // In the nominal height of the letters.
-constexpr double kPitch = 1.35, kBarPitch = 0.8, kBarHeight = 0.55, kPairGap = 0.3, kBarLength = 11.0;
+constexpr double kPitch = 1.35, kBarPitch = 0.8, kBarHeight = 0.55, kPairGap = 0.3;
+constexpr double kBarLength = 11.0,
+                 kShortBar = 5.0;  // of all votes; while the lesson explains, which needs the wall
 constexpr double kNumberWidth = 1.6, kCountWidth = 2.2, kPadding = 0.6;
-constexpr PanelPicture::Rgba kGround{12, 14, 18, 225}, kLight{255, 255, 255, 255}, kDark{0, 0, 0, 255};
+constexpr PanelPicture::Rgba kGround{12, 14, 18, 205}, kLight{255, 255, 255, 255}, kDark{0, 0, 0, 255};
 constexpr std::array<PanelPicture::Rgba, kVotes> kBars{{{96, 160, 255, 255}, {255, 170, 70, 255}}};
 constexpr glm::vec3 kWhite(235.0F), kGreen(110.0F, 225.0F, 140.0F);
 
 std::uint64_t allOf(const VoteCounts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+double barLength(const ClassView& view) {
+  return view.phase == ClassPhase::explained ? kShortBar : kBarLength;
 }
 
 /// Returns whether there is a distribution of a vote to show.
@@ -36,6 +43,7 @@ bool isSmall(const ClassView& view) {
 }  // namespace
 
 std::vector<std::string> classLines(const ClassView& view) {
+  if (view.phase == ClassPhase::explained) return {};
   std::vector<std::string> lines{std::string(view.address.words()),
                                  fmt::format(texts::classroom::kRoom, view.word.words())};
   const bool isTooFew = view.answered > 0 && !isCounted(view, 0) && !isCounted(view, 1);
@@ -90,7 +98,7 @@ void ClassBoard::layOut(double scale) {
   double high = kPitch * static_cast<double>(lines_.size()) + 2.0 * kPadding;
   if (showsBars()) {
     widest_px =
-        std::max(widest_px, static_cast<int>((kNumberWidth + kBarLength + kCountWidth + 2.0) * letter_px_));
+        std::max(widest_px, static_cast<int>((kNumberWidth + barLength(view_) + kCountWidth) * letter_px_));
     high += kBarPitch * barRows() + kPairGap * static_cast<double>(view_.choices) + kPadding;
   }
   const int code_px = modules * module_px_, padding_px = static_cast<int>(kPadding * letter_px_);
@@ -124,7 +132,7 @@ void ClassBoard::paintBars(int top_px) {
       top_px -= px(kBarPitch);
       const std::uint64_t count = view_.counts[vote][answer];
       const double share = static_cast<double>(count) / static_cast<double>(allOf(view_.counts[vote]));
-      const glm::ivec2 bar_px{std::max(1, px(kBarLength * share)), px(kBarHeight)};
+      const glm::ivec2 bar_px{std::max(1, px(barLength(view_) * share)), px(kBarHeight)};
       const int bar_left_px = left_px + px(kNumberWidth);
       panel_.fill({bar_left_px, top_px}, bar_px, kBars[vote]);
       panel_.write({bar_left_px + bar_px.x + px(0.3), top_px}, ink(std::to_string(count), small_px), kWhite);
@@ -167,8 +175,11 @@ void ClassBoard::draw(const Wall& wall, const ClassView& view, const RenderTarge
     paint();
   }
   const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);
-  const int margin_px = static_cast<int>(PanelPlace::kMargin * picture.size_px().y);
-  panel_.draw(picture, glm::ivec2(margin_px), pxPerM.x / pxPerM.y);
+  const double margin_m = PanelPlace::kMargin * sizeOf_m(wall).y;
+  constexpr bool kAtFoot = true;
+  const Tile below = tilesOn(wall, kAtFoot).front();
+  const glm::dvec2 from_m{margin_m, below.from_m.y + below.size_m.y + 0.5 * margin_m};
+  panel_.draw(picture, glm::ivec2(from_m * pxPerM), pxPerM.x / pxPerM.y);
 }
 
 }  // namespace carom

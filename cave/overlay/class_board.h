@@ -1,7 +1,7 @@
 #pragma once
-// What a class that answers by phone sees on the front wall, at its foot on the left: a QR code, the address
-// and the word of the room, how many have answered, and once a vote is closed, how, as pairs of bars. While
-// the lesson plays it is small.
+// What a class that answers by phone sees on the front wall, on the left above the tiles of its foot: a QR
+// code, the address and the word of the room, how many have answered, and once a vote is closed, how, as
+// pairs of bars. While the lesson plays it is small.
 
 #include <array>
 #include <cstddef>

@@ -23,7 +23,8 @@ class Session:
     def __init__(self, *options):
         self.errors = open(out / "stderr", "a")
         self.process = subprocess.Popen(
-            [carom, "cave", "--rig", out / "room.toml", "--silent", *map(str, options)],
+            [carom, "cave", *([] if "--resume" in options else ["--rig", out / "room.toml"]), "--silent",
+             *map(str, options)],
             stdout=subprocess.PIPE, stderr=self.errors, text=True)
         self.address = self.word = self.pin = None
         if "--class" in options:

@@ -36,6 +36,7 @@ TEST(ClassBoard, SaysHowToJoinAndHowManyHaveAnswered) {
   closed.counts[0] = {3, 4, 5, 0};
   EXPECT_EQ(classLines(closed).size(), 4U);
   EXPECT_EQ(classLines(viewIn(ClassPhase::shown, 2)), (Lines{address, room}));
+  EXPECT_TRUE(classLines(viewIn(ClassPhase::explained, 2)).empty()) << "the lesson needs the wall";
 }
 
 TEST(ClassBoard, HasACodeThatCanBeRead) {
