@@ -101,7 +101,7 @@ async def lead(teacher, phones, lessons, seed=37):
             phone.at.pop((state, round_), None)
         begun = time.monotonic()
         await teacher.say({"do": name})
-        await asyncio.gather(*(phone.state(state, round_) for phone in phones))
+        await asyncio.gather(*(phone.state(state, round_) for phone in [teacher, *phones]))
         spread_s.append(max(phone.at[state, round_] for phone in phones) - begun)
 
     async def vote(phone, round_):
