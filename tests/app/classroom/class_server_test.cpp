@@ -272,7 +272,7 @@ TEST_F(Server, SaysWhatIsWrongWithItsPort) {
 /// Small times, so that tests need not wait for them.
 class HurriedServer : public Server {
  protected:
-  HurriedServer() : Server({20, 15, 8192, 300ms, 600ms, 10.0, 20.0}) {}
+  HurriedServer() : Server({20, 15, 8192, 300ms, 1000ms, 10.0, 20.0}) {}
 };
 
 TEST_F(HurriedServer, EndsWhoDoesNotSayWhoTheyAre) {
@@ -286,12 +286,12 @@ TEST_F(HurriedServer, EndsWhoDoesNotSayWhoTheyAre) {
 }
 
 TEST_F(HurriedServer, KeepsASilentPhoneThatAnswersPingsAndNoOther) {
-  WebClient half = phone(), deaf = phone(), silent = phone();
+  WebClient half = phone(), deaf = phone();
   half.send(std::string("\x81\xfe", 2));  // the beginning of a frame, and nothing more
   EXPECT_TRUE(half.isClosed());
   EXPECT_TRUE(deaf.isClosed());
-  EXPECT_EQ(silent.hear(100ms).substr(0, 6), R"({"answ)");  // of those who left
-  const auto until = std::chrono::steady_clock::now() + 2s;
+  WebClient silent = phone();
+  const auto until = std::chrono::steady_clock::now() + 3s;
   while (std::chrono::steady_clock::now() < until) {
     const std::string heard = silent.hear(100ms);  // answers pings
     EXPECT_TRUE(heard.empty() || heard.starts_with("{")) << heard;
