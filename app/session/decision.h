@@ -45,6 +45,7 @@ struct Decision {
   std::vector<Note> inputs;                      ///< commands that take effect with this frame
   std::vector<Note> notes;                       ///< other events: the drive's mode, messages in the room
   std::vector<LessonAnswer> answers;             ///< answers to a lesson's question
+  std::vector<ClassVote> votes;                  ///< of phones, in a vote that was closed
   std::vector<HandStroke> strokes;               ///< strokes made by hand
   std::array<HeadEstimate, kMostViewers> heads;  ///< of each viewer; live sessions only
   /// The head trackers' samples for this frame, valid until the next decision; live sessions only.
@@ -62,6 +63,7 @@ struct Decision {
     inputs.clear();
     notes.clear();
     answers.clear();
+    votes.clear();
     strokes.clear();
     alarms.clear();
     commands.clear();

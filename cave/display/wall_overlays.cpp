@@ -30,6 +30,7 @@ void WallOverlays::drawFront(const Over& over) {
   words_[over.seen.viewer].draw(over.wall, over.seen, over.picture);
   choices_.draw(over.wall, over.seen, offeredIn(over.room, over.seen, offersChoices_, hasTable_),
                 over.picture);
+  class_.draw(over.wall, over.seen.record.classroom, over.picture);
   if (hasTable_) home_.draw(over.room, over.wall, over.eye_m, over.seen, over.picture);
 }
 

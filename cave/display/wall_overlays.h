@@ -6,6 +6,7 @@
 
 #include "cave/display/wall_pictures.h"
 #include "cave/overlay/choice_tiles.h"
+#include "cave/overlay/class_board.h"
 #include "cave/overlay/comfort_overlay.h"
 #include "cave/overlay/cue_overlay.h"
 #include "cave/overlay/home_arrow.h"
@@ -81,6 +82,7 @@ class WallOverlays {
   CueOverlay cue_;
   std::array<HudPanel, kMostViewers> words_;  ///< of each viewer
   ChoiceTiles choices_;
+  ClassBoard class_;
   bool hasTable_ = false;  ///< in the game
   bool offersChoices_ = false;
 };

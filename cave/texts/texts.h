@@ -15,6 +15,9 @@ namespace carom::texts {
 
 using Text = const char*;
 
+/// The language of this catalogue, as HTML names it.
+inline constexpr Text kLanguage = "en";
+
 // The choices on the front wall, in the order of Choice, and their keys.
 inline constexpr std::array<Text, 3> kChoices{"Play", "Lessons", "Show me"};
 inline constexpr std::array<Text, 3> kChoiceKeys{"F7", "F6", "F5"};
@@ -147,6 +150,84 @@ inline constexpr std::array<Text, 4> kMarks{"0.5 c", "0.8 c", "0.9 c", "0.95 c"}
 inline constexpr Text kSpeed = "{:.2f} c", kEnergy = "{:.2f} mc^";
 }  // namespace cue
 
+// The pages of a class that answers by phone: what app/classroom/pages names, and what phones are told.
+namespace phone {
+struct Named {
+  Text name, words;
+};
+inline constexpr std::array<Named, 12> kPage{{{"title", "Class"},
+                                              {"connecting", "Connecting …"},
+                                              {"noScript", "This page needs JavaScript. Please turn it on."},
+                                              {"pin", "The teacher's PIN, as the console shows it"},
+                                              {"enter", "Enter"},
+                                              {"answer", "Your answer"},
+                                              {"sure", "How sure are you?"},
+                                              {"why", "Why? (if you like, at most 200 letters)"},
+                                              {"send", "Send my answer"},
+                                              {"teacher", "Teacher"},
+                                              {"reasons", "Reasons that were given"},
+                                              {"privacy",
+                                               "Answers carry no names. They stay on the computer of this "
+                                               "room, and the Wi-Fi is the room's own. Write "
+                                               "nothing personal."}}};
+inline constexpr std::array<Named, 18> kScript{
+    {{"connecting", "Connecting …"},
+     {"away", "The connection is gone. Trying again …"},
+     {"joined", "Joined"},
+     {"idle", "Wait for the question"},
+     {"vote", "Vote {} of 2"},
+     {"closed", "Vote {} is closed"},
+     {"discuss", "Discuss it with your neighbours"},
+     {"shown", "Watch the wall"},
+     {"explained", "The explanation"},
+     {"count", "{} of {} have answered"},
+     {"phones", "Phones that have joined: {}"},
+     {"counted", "Your vote is counted: {}. You may change it until the vote is closed."},
+     {"yours", "Your answer: {}."},
+     {"first", "Your first answer: {}."},
+     {"right", "✓ correct"},
+     {"bar", "Vote {}: {}"},
+     {"chooseFirst", "Choose an answer first."},
+     {"taken", "Somebody else has entered the PIN and is the teacher now."}}};
+inline constexpr std::array<Text, 4> kConfidence{"Guessed", "Unsure", "Fairly sure", "Certain"};
+// The teacher's steps, in the order of ClassStep.
+inline constexpr std::array<Text, 7> kSteps{"Ask",     "Close the vote", "Discuss",    "Vote again",
+                                            "Show it", "Explain",        "Next lesson"};
+inline constexpr Text kNoMessage = "That could not be understood.";
+inline constexpr Text kHelloFirst = "Join first.";
+inline constexpr Text kVoteClosed = "This vote is closed.";
+inline constexpr Text kAnswerFirst = "Answer first.";
+inline constexpr Text kTeacherOnly = "Only the teacher can do that.";
+inline constexpr Text kWrongPin = "This is not the PIN.";
+inline constexpr Text kTooManyPins = "Too many wrong PINs. Try again in a minute.";
+inline constexpr Text kFull = "The class is full.";
+inline constexpr Text kNotNow = "That is not possible now.";
+inline constexpr Text kNoQuestion = "This game asks no question. Choose a lesson.";
+inline constexpr Text kTooFew = "Fewer than {} answers: nobody sees how they were given.";
+inline constexpr Text kHintFew = "{:.0f} % right: explain, or give a hint, before you go on.";
+inline constexpr Text kHintDiscuss = "{:.0f} % right: let them discuss, then vote again.";
+inline constexpr Text kHintMany = "{:.0f} % right: show it.";
+inline constexpr Text kHintShow = "{:.0f} % right after the discussion: show it.";
+/// Words for rooms, easily told apart when they are read aloud.
+inline constexpr std::array<Text, 40> kRoomWords{
+    "ANCHOR", "APPLE",  "BANJO",  "BEAVER", "CACTUS", "CANDLE", "CHERRY", "COMET",  "DOLPHIN", "EAGLE",
+    "FERRY",  "GARLIC", "GINGER", "HAMMER", "HARBOR", "IGLOO",  "JACKET", "KIWI",   "LADDER",  "LEMON",
+    "MAGNET", "MANGO",  "MEADOW", "NUTMEG", "OCEAN",  "OLIVE",  "ORANGE", "PANDA",  "PEPPER",  "PIANO",
+    "PILOT",  "QUARTZ", "RIVER",  "SALMON", "SPIDER", "TIGER",  "TULIP",  "VIOLIN", "WALNUT",  "ZEBRA"};
+}  // namespace phone
+
+// A class on the front wall.
+namespace classroom {
+inline constexpr Text kJoin = "Join by phone:", kRoom = "Room {}";
+inline constexpr Text kPhones = "phones: {}";
+inline constexpr Text kVote = "Vote {}:  {} of {} answered";
+inline constexpr Text kClosed = "Vote {} is closed:  {} answered";
+inline constexpr Text kDiscuss = "Discuss it, then vote again";
+inline constexpr Text kTooFew = "Too few answers to show how they were given";
+inline constexpr std::array<Text, 2> kVotes{"vote 1", "vote 2"};
+inline constexpr Text kRight = "✓";
+}  // namespace classroom
+
 // The latency overlay. Parts in the order of FramePart, states in that of LockState.
 namespace latency {
 inline constexpr std::array<Text, 8> kParts{"sample", "decide", "share", "submit",
@@ -261,6 +342,12 @@ inline constexpr Text kLightWalls = "Light the walls   B", kBlackWalls = "Black 
 inline constexpr Text kBlackTip = "All walls black at once, and lit again. The game goes on.";
 inline constexpr Text kGamesTab = "Games", kTrackersTab = "Trackers", kLatencyTab = "Latency";
 inline constexpr Text kEventsTab = "Events", kDiagramTab = "Diagram", kRecordingTab = "Recording";
+inline constexpr Text kClassTab = "Class";
+inline constexpr Text kClassPage = "{}teacher", kClassCounted = "{}:  {}";
+inline constexpr Text kClassJoin = "Phones", kClassTeacher = "Teacher's page", kClassPin = "PIN {}";
+inline constexpr Text kClassTeacherTip =
+    "Whoever enters the PIN there leads the class, in the place of the one before.";
+inline constexpr Text kClassCount = "{} phones, {} answered";
 inline constexpr Text kSaidAt = "{:7.1f} s";
 inline constexpr Text kKeys = "Keys";
 inline constexpr Text kKeysWhere = "In this window and in any of this computer's walls.";
