@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/files/findings.h"
+#include "cave/frame/hall.h"
 #include "cave/frame/lesson_plan.h"
 #include "cave/outlines/footprint.h"
 #include "cave/record/lesson_words.h"
@@ -89,7 +90,8 @@ struct Scenario {
   bool tourAtOnce = false;         ///< the tour starts with the game; otherwise when requested
   double most_u = kMostPlatformU;  ///< γβ beyond which the drive makes the platform no faster
   std::vector<Pulse> pulses;
-  std::vector<Caption> captions;  ///< in the order of time, without overlap
+  std::vector<FollowedLamp> lamps;  ///< with any, the hall's own light is off
+  std::vector<Caption> captions;    ///< in the order of time, without overlap
   std::optional<Lesson> lesson;
   std::vector<Finding> odd;  ///< values that can be played but are unusual
   bool choices = false;      ///< the front wall offers the visitor's choices (cave/record/choice.h)
