@@ -4,6 +4,7 @@
 
 #include "app/file_keys/common_keys.h"
 #include "app/file_keys/lesson_keys.h"
+#include "app/file_keys/task_keys.h"
 #include "cave/frame/hall.h"
 #include "engine/billiard/billiard_setup.h"
 #include "engine/collision/outline.h"
@@ -226,7 +227,7 @@ const FileKey& scenarioKeys() {
             "when it explains",
             std::nullopt),
        required(number("light_speed_m_s", kPositive, "speed of light")), board(), physics(), observer(),
-       tour(), puck(), body(), flash(), caption(), pulse(), lamp(), lessonKeys(), stroke()});
+       tour(), puck(), body(), flash(), caption(), pulse(), lamp(), lessonKeys(), stroke(), taskKeys()});
   return keys;
 }
 

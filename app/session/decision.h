@@ -46,6 +46,7 @@ struct Decision {
   std::vector<Note> notes;                       ///< other events: the drive's mode, messages in the room
   std::vector<LessonAnswer> answers;             ///< answers to a lesson's question
   std::vector<HandStroke> strokes;               ///< strokes made by hand
+  std::vector<TaskNews> tasks;                   ///< what happened to the task
   std::array<HeadEstimate, kMostViewers> heads;  ///< of each viewer; live sessions only
   /// The head trackers' samples for this frame, valid until the next decision; live sessions only.
   std::vector<TrackerSamples> samples;
@@ -63,6 +64,7 @@ struct Decision {
     notes.clear();
     answers.clear();
     strokes.clear();
+    tasks.clear();
     alarms.clear();
     commands.clear();
     handCommands.clear();

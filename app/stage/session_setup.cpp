@@ -97,8 +97,7 @@ void buildLitScene(const Cluster& cluster, SessionSetup& setup) {
 void setTexts(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
   const Lesson lesson = scenario.lesson.value_or(Lesson{});
   walls.overlays().setLesson(lesson.words, lesson.plan);
-  walls.overlays().setChoices(scenario.choices);
-  walls.overlays().setTable(scenario.billiard.board.has_value());
+  walls.overlays().setOffers(offersOf(scenario));
   const std::optional<Wall> front = frontWall(roomGeometryOf(rig));
   if (!scenario.lesson || cluster.rank() > 0 || !front) return;
   if (bandHolds(lesson.words, lesson.plan, *front)) return;
