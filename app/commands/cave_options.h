@@ -41,6 +41,7 @@ struct CaveOptions {
   bool silent = false;  ///< no sounds
   std::string pin;      ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none
   std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one
+  bool hideRight = false;              ///< lessons do not tell the right answer
   Switches switches;                   ///< at the start
   TimeViews views;                     ///< at the start
   ExtraWindows extra;                  ///< what rank 0 also shows
