@@ -93,6 +93,8 @@ void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options
       ->transform(numberOf({{"asks", static_cast<int>(LessonPhase::asks)},
                             {"shows", static_cast<int>(LessonPhase::shows)},
                             {"explains", static_cast<int>(LessonPhase::explains)}}));
+  command.add_flag("--hide-right", options->hideRight,
+                   "Lessons do not tell which answer is right: for a class that discusses it before");
 }
 
 void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {

@@ -359,6 +359,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,         options.recording,
                       options.noWindow,  options.frames.has_value(), options.extra};
   inputs.byMouse = options.byMouse;
+  inputs.hideRight = options.hideRight;
   inputs.withoutNodes = options.withoutNodes;
   Before before;
   std::unique_ptr<StatusFile> status;

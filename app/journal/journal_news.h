@@ -36,4 +36,13 @@ struct ClassLeft {
   std::vector<ClassVote> votes;     ///< that counted since the question was asked
 };
 
+/// What happened to a task (app/session/task_run.h).
+struct TaskNews {
+  std::string task;  ///< its name
+  std::size_t viewer = 0;
+  std::string event;      ///< begun, failed, solved
+  int stars = 0;          ///< 1 to 3 where it is solved
+  double energy_j = 0.0;  ///< of its strokes so far
+};
+
 }  // namespace carom

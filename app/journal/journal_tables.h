@@ -55,12 +55,13 @@ struct Batch {
   std::vector<OfFrame<Input>> inputs;
   std::vector<OfFrame<Answer>> answers;
   std::vector<OfFrame<ClassVote>> votes;
+  std::vector<OfFrame<TaskNews>> tasks;
   std::vector<Sample> samples;
   std::vector<LatencyRow> latencies;
 
   bool empty() const {
     return frames.empty() && knots.empty() && inputs.empty() && answers.empty() && votes.empty() &&
-           samples.empty();
+           tasks.empty() && samples.empty();
   }
   void clear();
 };
@@ -87,6 +88,7 @@ class JournalTables {
   void list(std::span<const GameEvent> brought, std::uint64_t kept);
   void writeInputs(const Batch& batch);
   void writeVotes(const Batch& batch);
+  void writeTasks(const Batch& batch);
   void writeSamples(const Batch& batch);
   std::string nameOf(std::size_t puck) const;
   SQLite::Statement& statement(std::optional<SQLite::Statement>& kept, const char* sql);

@@ -47,6 +47,7 @@ struct Decision {
   std::vector<LessonAnswer> answers;             ///< answers to a lesson's question
   std::vector<ClassVote> votes;                  ///< of phones, in a vote that was closed
   std::vector<HandStroke> strokes;               ///< strokes made by hand
+  std::vector<TaskNews> tasks;                   ///< what happened to the task
   std::array<HeadEstimate, kMostViewers> heads;  ///< of each viewer; live sessions only
   /// The head trackers' samples for this frame, valid until the next decision; live sessions only.
   std::vector<TrackerSamples> samples;
@@ -65,6 +66,7 @@ struct Decision {
     answers.clear();
     votes.clear();
     strokes.clear();
+    tasks.clear();
     alarms.clear();
     commands.clear();
     handCommands.clear();

@@ -38,7 +38,7 @@ void FrameLeader::obey(const Command& command, Decision& decision, std::size_t v
   log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
   if (const auto* play = std::get_if<PlayScenario>(&command))
-    choose({play->file, false, false, play->afresh, play->recordTo});
+    choose({play->file, false, false, play->afresh, play->task, play->recordTo});
   if (std::holds_alternative<WelcomeNextVisitor>(command)) choose({firstGame_, true});
 }
 

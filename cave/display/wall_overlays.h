@@ -28,10 +28,8 @@ class WallOverlays {
   void setLesson(const LessonWords& words, const LessonPlan& plan) {
     for (HudPanel& panel : words_) panel.setLesson(words, plan);
   }
-  /// Sets whether the game offers the three choices (cave/overlay/choice_tiles.h).
-  void setChoices(bool offered) { offersChoices_ = offered; }
-  /// Sets whether the game has a table to come home to (cave/overlay/home_arrow.h).
-  void setTable(bool there) { hasTable_ = there; }
+  /// Sets what the game offers (cave/overlay/choice_tiles.h, cave/overlay/home_arrow.h).
+  void setOffers(const GameOffers& offers) { offers_ = offers; }
 
   /// Draws over the newest pictures of one viewer. Needs the drawing context.
   void draw(const SeenFrame& seen, const WallPictures& pictures);
@@ -83,8 +81,7 @@ class WallOverlays {
   std::array<HudPanel, kMostViewers> words_;  ///< of each viewer
   ChoiceTiles choices_;
   ClassBoard class_;
-  bool hasTable_ = false;  ///< in the game
-  bool offersChoices_ = false;
+  GameOffers offers_;
 };
 
 }  // namespace carom

@@ -25,8 +25,15 @@ inline constexpr std::array<Text, 3> kChoiceKeys{"F7", "F6", "F5"};
 // Tiles below them; their keys stand behind the names.
 namespace tile {
 inline constexpr Text kBestShot = "Best shot", kHome = "Back to the table", kTimeGoesOn = "Let time go on";
-inline constexpr Text kKeys = "Keys";
+inline constexpr Text kKeys = "Keys", kTasks = "Tasks", kNextTask = "Next task", kTryAgain = "Try again";
 }  // namespace tile
+
+// Tasks for who plays.
+namespace task {
+inline constexpr Text kText = "{} of {}: {}", kBest = " (best: {:.2f} J)";
+inline constexpr Text kSolved = "Done, with {1:.2f} J: {0} of 3 stars. The next task follows.";
+inline constexpr Text kNotYet = "Not yet. Strike again, or try again from the beginning: Y.";
+}  // namespace task
 
 // The devices that hold the cue, in the order of InputDevices.
 inline constexpr std::array<Text, 3> kDevices{"wand", "mouse", "gamepad"};
@@ -65,6 +72,7 @@ inline constexpr Text kRuler = "ruler: 1 m, and light travelling along it";
 inline constexpr Text kAngles = "angles between the outgoing paths";
 inline constexpr Text kStrain = "colours: soft matter pressed (blue) or stretched (red)";
 inline constexpr Text kHeat = "colours: the heat of soft matter, dark to yellow";
+inline constexpr Text kNews = "rings: news of a hit, at the speed of light, in the pucks' colours";
 inline constexpr Text kFrozen = "frozen view: walk around it";
 inline constexpr Text kClocks = "labels: each puck's proper time";
 inline constexpr Text kScore = "caroms  {}   strokes  {}";
@@ -80,17 +88,17 @@ inline constexpr Text kPlatform = "my speed on the table: {:.3f} c, γ = {:.2f}"
 inline constexpr Text kLightRing = "the speed of light";
 inline constexpr Text kContracted = "a circle on the table, contracted to {:.2f}";
 inline constexpr Text kThrust = "thrust: {:.0f} % of maximum{}";
-inline constexpr std::array<Text, 4> kDriveModes{"", " (braking)", " (returning home)", " (scripted flight)"};
+inline constexpr std::array<Text, 4> kDriveModes{"", " (braking)", " (returning home)", " (round trip)"};
 inline constexpr Text kEffectsOff = "off: {}", kEffectsOn = "on: {}";
 inline constexpr Text kNearerBar = "of the two bars the right one is nearer";
 }  // namespace legend
 
 // Messages on the front wall, a few seconds each.
 namespace message {
-inline constexpr Text kNoFlight = "This game has no scripted flight.";
-inline constexpr Text kFlightUnderWay = "The scripted flight is under way already.";
+inline constexpr Text kNoFlight = "This game has no round trip.";
+inline constexpr Text kFlightUnderWay = "The round trip is under way already.";
 inline constexpr Text kFlightBeginsAtRest =
-    "The scripted flight begins at rest: brake (Space) or return to the table (Home) first.";
+    "The round trip begins at rest: brake (Space) or return to the table (Home) first.";
 inline constexpr Text kFlightFinished = "Flight finished: {:.1f} s on the table's clocks, {:.1f} s on yours.";
 inline constexpr Text kFlightInterrupted = "Flight interrupted: you drive yourself.";
 inline constexpr Text kFarFromTable = "You have left the table far behind. Home brings you back.";
@@ -119,17 +127,18 @@ inline constexpr Text kAnswerFirst = "Answer the question first, or skip it.";
 inline constexpr Text kNoVelocities = "F2 to F4 choose a velocity in lessons that offer some.";
 inline constexpr Text kNoSuchKey = "This key does nothing here. H lists the keys.";
 inline constexpr Text kNoLesson = "There is no lesson in today's programme.";
+inline constexpr Text kNoTasks = "There are no tasks in today's programme.";
 inline constexpr Text kNoShow = "This show is not in today's programme.";
 inline constexpr Text kWayHome = "table, {} m away";
 inline constexpr Text kTimeStands = "Nothing can be struck while time stands still or in a lesson";
 inline constexpr Text kPuckBehind = "The puck is behind your hand: point the other way";
-inline constexpr Text kNoPuck = "There is no puck where you point";
+inline constexpr Text kNoPuck = "Point at a puck, then drag back";
 inline constexpr Text kDeviceLost = "The {} is lost: no stroke";
 inline constexpr Text kStoppedStroke = "Time stands still: no stroke";
 inline constexpr Text kLetGo = "Let go: no stroke";
 inline constexpr Text kBeforeGame = "No stroke: where your hand is, the game has not begun yet";
 inline constexpr Text kStroke =
-    "{}: p = {:.2g} kg m/s{}, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s";
+    "Your stroke runs to {} at the speed of light: {:.1f} s there, {:.1f} s back{}";
 inline constexpr Text kRightOfCentre = ", {:.0f} mm right of its centre";
 inline constexpr Text kLeftOfCentre = ", {:.0f} mm left of its centre";
 inline constexpr Text kOutOfReach = "No stroke: {} can no longer be reached from here";
@@ -271,6 +280,7 @@ inline constexpr Text kMyNow = "ghosts: now, in my frame";
 inline constexpr Text kPaths = "paths", kEvents = "events", kClocks = "clocks";
 inline constexpr Text kRuler = "ruler", kAngles = "angles";
 inline constexpr Text kStrain = "strain of soft pucks", kHeat = "heat of soft pucks";
+inline constexpr Text kNews = "rings of news at each hit";
 inline constexpr Text kSplit = "Newton beside Einstein";
 inline constexpr Text kRightRetardation = "right half: light delay";
 inline constexpr Text kRightContraction = "right half: contraction";
@@ -289,9 +299,9 @@ inline constexpr Text kVelocities = "the velocities that a lesson offers";
 inline constexpr Text kRestart = "restart this game";
 inline constexpr Text kShowMe = "Show me: relativity in a minute";
 inline constexpr Text kLessons = "Lessons: the next one";
-inline constexpr Text kPlay = "Play: the game of the beginning";
+inline constexpr Text kPlay = "Play: back to the table";
 inline constexpr Text kNextVisitor = "the next visitor: everything as at the beginning";
-inline constexpr Text kFlight = "start the scripted flight";
+inline constexpr Text kFlight = "start the round trip";
 inline constexpr Text kPatterns = "patterns";
 inline constexpr Text kBlack = "black walls";
 inline constexpr Text kSwapEyes = "swapped eyes";
@@ -416,6 +426,9 @@ inline constexpr Text kAnglesTip = "The angles between the outgoing paths of two
 inline constexpr Text kStrainTip =
     "Soft pucks in colours: blue where their matter is pressed, red where it is stretched.";
 inline constexpr Text kHeatTip = "Soft pucks in colours of their heat, from dark through red to yellow.";
+inline constexpr Text kNewsTip =
+    "Rings over the cloth, in both pucks' colours: how far the news of each hit has come at the speed of "
+    "light.";
 inline constexpr Text kOn = "on", kLeft = "left", kRight = "right", kKeyColumn = "keys";
 inline constexpr Text kRightTip =
     "For the right half of every wall, when it is drawn otherwise (\"Newton beside Einstein\").";
@@ -467,7 +480,7 @@ inline constexpr Text kSkip = "Skip the question", kNext = "Next";
 inline constexpr Text kPlayBegins = "Play begins it.";
 inline constexpr Text kPlayBeginsLesson = "A lesson. Play begins it, with its question:";
 inline constexpr Text kPucksAndLight = "{} pucks, light at {:.4g} m/s";
-inline constexpr Text kStartFlight = "Start the scripted flight";
+inline constexpr Text kStartFlight = "Start the round trip";
 inline constexpr Text kStartFlightTip = "The room moves as the scenario prescribes.";
 
 // Recording.
