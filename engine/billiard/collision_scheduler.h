@@ -230,6 +230,8 @@ class CollisionScheduler {
            !pucks_[other].decided.empty();
   }
   void kickOtherPlaces(const std::array<int, 2>& who, const PairContact& contact, PairOutcome& outcome) const;
+  void sendBack(const std::array<int, 2>& who, const PairContact& contact,
+                const std::array<LegState, 2>& turn, PairOutcome& outcome) const;
   void notePersistentPair(const std::array<int, 2>& who, const PairContact& contact);
   void forgetParted(int i);
   bool haveParted(int first, int second, PersistentContact& earlier) const;

@@ -133,6 +133,8 @@ double CollisionScheduler::collide(int first, int second, const PredictedEvent& 
   if (e == 0.0 && found->centres.closing < kStill && jammed) return kNever;
   PairOutcome outcome(*found, e);
   if (corners && !a.withoutDelay) kickOtherPlaces(who, contact, outcome);
+  if (corners) notePersistentPair(who, contact);
+  if (corners) sendBack(who, contact, turn, outcome);
   commitKick(who, contact, turn, outcome, a, history);
   if (corners && corners->sideOnSide) history.noteSideOnSide();
   return polygons ? time : kNever;
@@ -147,7 +149,6 @@ void CollisionScheduler::commitKick(const std::array<int, 2>& who, const PairCon
   const std::uint64_t collision =
       history.addCollision(std::nullopt, contact.event, a.withoutDelay, heat * c_m_s_ * c_m_s_);
   accounts_.heat += heat;
-  if (hasCorners(who[0], who[1])) notePersistentPair(who, contact);
   const bool lies = a.withoutDelay && hasCorners(who[0], who[1]);
   const std::array<bool, 2> byMany{lies || isPressed(who[1], turn[1].x.t),
                                    lies || isPressed(who[0], turn[0].x.t)};

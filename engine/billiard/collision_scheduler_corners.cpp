@@ -51,8 +51,7 @@ const PersistentContact* CollisionScheduler::persistentContact(int first, int se
 
 // On the legs that both follow.
 void CollisionScheduler::notePersistentPair(const std::array<int, 2>& who, const PairContact& contact) {
-  const PersistentContact now{
-      {followedFlight(who[0]), followedFlight(who[1])}, contact.event, contact.n, false};
+  const PersistentContact now{{followedFlight(who[0]), followedFlight(who[1])}, contact.event, contact.n};
   const std::array<unsigned, 2> legs{predictions_[who[0]].legNumber, predictions_[who[1]].legNumber};
   if (const PersistentContact* const earlier = persistentContact(who[0], who[1])) {
     const double time = dot(contact.U, contact.event - now.flights[0].start);
@@ -162,6 +161,31 @@ void CollisionScheduler::kickOtherPlaces(const std::array<int, 2>& who, const Pa
   }
 }
 
+// Light tells the centres late. Bodies that have gone through each other by then, and would part for good on
+// another side than that on which they touch, give each other one more kick along their impulse. It comes
+// with the same signal.
+void CollisionScheduler::sendBack(const std::array<int, 2>& who, const PairContact& contact,
+                                  const std::array<LegState, 2>& turn, PairOutcome& outcome) const {
+  if (!haveOutlines(who[0], who[1])) return;
+  std::array<std::vector<MovingShape>, 2> flights;
+  for (int k = 0; k < 2; ++k) {
+    const int i = who[k];
+    flights[k].push_back(followedFlight(i));
+    for (const CommittedLeg& decided : pucks_[i].decided)
+      flights[k].push_back(movingShape(i, decided.leg, decided.turning));
+    const Turning turning = turningAt(i, turn[k].properTime);
+    const Leg leg{turn[k].x, outcome.kick.centres.u[k], turn[k].properTime, brake_};
+    flights[k].push_back(movingShape(i, leg, {outcome.kick.j[k], turning.angle}));
+  }
+  if (!partElsewhere(flights, *persistentContact(who[0], who[1]))) return;
+  PairContact central = contact;
+  central.n = outcome.kick.centres.u[1] - turn[1].u;
+  central.n = central.n - contact.U * dot(contact.U, central.n);
+  central.central = true;
+  const auto kick = cornerKick(who, central, outcome.kick.centres.u, outcome.kick.j, outcome.restitution);
+  if (kick && kick->centres.closing > kResting) outcome.add(*kick);
+}
+
 // The contact of a leg with a cushion.
 std::optional<CushionContact> CollisionScheduler::touchOf(int i, const Leg& leg, const Turning& turning,
                                                           int cushion) const {
@@ -208,6 +232,7 @@ std::optional<SpinningPairKick> CollisionScheduler::cornerKick(const std::array<
   for (int k = 0; k < 2; ++k) {
     const Disc& flight = discs_[who[k]];
     bodies[k] = levered(who[k], contact.event, {flight.start, flight.u, 0.0}, j[k]);
+    if (contact.central) bodies[k].lever = {};
     bodies[k].puck.u = u[k];
   }
   RimRules rules = puckRims_;

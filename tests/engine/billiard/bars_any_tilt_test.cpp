@@ -25,25 +25,34 @@ struct Ends {
   std::size_t kicks = 0, most = 0;
 };
 
-Vec2 lastU(const Billiard& game, int i) {
+Vec21 lastU(const Billiard& game, int i) {
   const Vec3 u = game.worldLines()[i].knots().back().u;
-  return {u.x, u.y};
+  return fourVelocity(u.x, u.y);
 }
 
-Vec2 betaOf(const Vec2& u) { return u / std::sqrt(1.0 + glm::dot(u, u)); }
-
 /// The impulse of a kick on the second bar, over its mass and c, but for heat and spin.
-Vec2 impulseOf(const GameEvent& kick) {
-  const auto u = [](const Vec2& beta) { return beta / std::sqrt(1.0 - glm::dot(beta, beta)); };
+Vec21 impulseOf(const GameEvent& kick) {
+  const auto u = [](const Vec2& beta) {
+    const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
+    return Vec21{gamma, gamma * beta.x, gamma * beta.y};
+  };
   for (const Turn& turn : kick.turns)
     if (turn.puck == 1) return u(turn.betaAfter) - u(turn.betaBefore);
-  return Vec2{0.0};
+  return {0.0, 0.0, 0.0};
+}
+
+/// How fast two bars recede along the impulse that the second one was given, in their frame of equal speeds.
+double recedingAlong(const Vec21& impulse, const Vec21& first, const Vec21& second) {
+  const Vec21 U = equalSpeedFrame(first, second);
+  const Vec21 along = impulse - U * dot(U, impulse);
+  return -dot(along, second - first) / std::sqrt(-dot(along, along)) / dot(U, first);
 }
 
 /// Whether bars recede against their last impulse after they have gone through each other: the shapes on the
-/// board have come out of each other on another side, and have not come back.
+/// board have come out of each other on another side, and have not come back. Bars that leave each other
+/// sideways, slower than kSideways along the impulse, recede from no side.
 void addEnd(const BilliardSetup& setup, Ends& ends) {
-  constexpr double kForever_s = 2000.0, kStep_m = 0.0004, kClear_m = 0.5;
+  constexpr double kForever_s = 2000.0, kStep_m = 0.0004, kClear_m = 0.5, kSideways = 0.02;
   Billiard game(setup);
   game.advanceTo(kForever_s);
   double lastTurn = 0.0;
@@ -60,13 +69,12 @@ void addEnd(const BilliardSetup& setup, Ends& ends) {
     return;
   }
   ++ends.touched;
-  const Vec2 apart = betaOf(lastU(game, 1)) - betaOf(lastU(game, 0));
-  ends.elsewhere += through && glm::dot(apart, impulseOf(game.events().back())) < 0.0;
+  const double receding = recedingAlong(impulseOf(game.events().back()), lastU(game, 0), lastU(game, 1));
+  ends.elsewhere += through && receding < -kSideways;
 }
 
-// Where turns wait for light ("centre"), bars of which only the ends meet are past each other before their
-// centres are told: see app/doc/physics.md, Polygons. So it is a share of them, of fast ones, that ends on
-// another side.
+// What is left of 708 pairs that touch at a speed, 4 at most, turns by a right angle or more while it is in
+// the other: which side it leaves by depends on the frame in which it is looked at.
 TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
   const char* const asked = std::getenv("CAROM_PAIRS");
   const int pairs = asked != nullptr ? std::atoi(asked) : 3;
@@ -92,8 +100,7 @@ TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
                     static_cast<double>(ends.kicks) / ends.pairs, ends.most);
         std::fflush(stdout);
       }
-      const double most = beta <= 0.1 ? 0.02 : atContact ? 0.1 : 0.6;
-      EXPECT_LE(all.elsewhere, most * all.pairs);
+      EXPECT_LE(all.elsewhere, all.pairs / 100);
       EXPECT_EQ(all.untouched, 0);
       // Some thick ones at 0.99 c slide along each other in hundreds of kicks: 19 a pair in the mean of 800.
       EXPECT_LE(all.kicks, (beta < 0.99 ? 10u : 25u) * static_cast<std::size_t>(all.pairs));
