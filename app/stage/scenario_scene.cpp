@@ -85,7 +85,7 @@ Tessellation tessellationFor(const Rig& rig, bool inSoftware) {
   // Eight views of half a million vertices take a few milliseconds on a GPU, and a second on two CPU cores.
   constexpr std::size_t kMostOnCard = 500000;
   Tessellation tessellation;
-  tessellation.pixel_rad = finestPixel_rad(rig.walls, rig.axes.up * kStandingEyes_m);
+  tessellation.pixel_rad = finestPixel_rad(drawnWalls(rig), rig.axes.up * kStandingEyes_m);
   if (!inSoftware) tessellation.mostVertices = kMostOnCard;
   return tessellation;
 }
