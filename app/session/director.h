@@ -63,7 +63,7 @@ class FrameLeader : public Director {
   }
 
  private:
-  void obey(const Command& command, Decision& decision, std::size_t viewer = 0);
+  void applyCommand(const Command& given, Decision& decision, std::size_t viewer = 0);
   void followProgramme(bool acted, const DeskInput& desk, Decision& decision);
   void followClass(Decision& decision);
   void askWhetherStillThere(Decision& decision) const;
@@ -74,7 +74,7 @@ class FrameLeader : public Director {
   ClassDesk* classroom_ = nullptr;  ///< null: there is none
   KeysOf keys_;
   DeskDevices desk_;  ///< kept between games, so that held buttons and keys stay held
-  Commands inbox_, obeyed_;
+  Commands inbox_, applied_;
   std::vector<HandCommand> handed_;  ///< by the hands in the frame before
   std::size_t fromSource_ = 0;       ///< number of commands in the inbox that the source has given
   std::string firstGame_;

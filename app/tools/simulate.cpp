@@ -262,8 +262,10 @@ PuckState stateAt(const std::vector<Puck>& pucks, const Billiard& billiard, cons
                   std::size_t puck) {
   PuckState state = stateAt(pucks[puck], billiard.worldLines()[puck], moment.t_s);
   if (const SoftPuckState* soft = softState(moment, puck)) {
-    state.position_m = soft->position_m, state.beta = soft->beta;
-    state.spin_kg_m2_s = soft->spin_kg_m2_s, state.properTime_s = soft->properTime_s;
+    state.position_m = soft->position_m;
+    state.beta = soft->beta;
+    state.spin_kg_m2_s = soft->spin_kg_m2_s;
+    state.properTime_s = soft->properTime_s;
   }
   return state;
 }
@@ -455,8 +457,10 @@ Ledger ledgerAt(const Scenario& scenario, const Billiard& billiard, double until
     const double now_kg_m_s = c_m_s * restMass_kg(puck, spinOfRim_kg_m2_s(puck, rimNow_u, c_m_s), c_m_s);
     const double energy_j = c_m_s * (then_kg_m_s * gammaFromU(last.u) - now_kg_m_s * gammaFromU(now.u));
     const Vec2 momentum_kg_m_s = then_kg_m_s * Vec2(last.u) - now_kg_m_s * Vec2(now.u);
-    ledger.motion.energy_j -= energy_j, ledger.motion.momentum_kg_m_s -= momentum_kg_m_s;
-    ledger.lostToFriction.energy_j += energy_j, ledger.lostToFriction.momentum_kg_m_s += momentum_kg_m_s;
+    ledger.motion.energy_j -= energy_j;
+    ledger.motion.momentum_kg_m_s -= momentum_kg_m_s;
+    ledger.lostToFriction.energy_j += energy_j;
+    ledger.lostToFriction.momentum_kg_m_s += momentum_kg_m_s;
   }
   return ledger;
 }

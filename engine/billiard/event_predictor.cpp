@@ -152,11 +152,17 @@ void EventPredictor::considerPair(int i, int other, PredictedEvent& best) {
   a.kind = PredictedKind::pair;
   a.withoutDelay = meeting->withoutDelay;
   if (also) {
-    a.with = i, a.otherLeg = puck.legNumber, a.ownTime = theirs, a.otherTime = own;
+    a.with = i;
+    a.otherLeg = puck.legNumber;
+    a.ownTime = theirs;
+    a.otherTime = own;
     setPredictedEvent(other, a);
   }
   if (mine) {
-    a.with = other, a.otherLeg = partner.legNumber, a.ownTime = own, a.otherTime = theirs;
+    a.with = other;
+    a.otherLeg = partner.legNumber;
+    a.ownTime = own;
+    a.otherTime = theirs;
     best = a;
   }
 }

@@ -127,10 +127,12 @@ int GameState::addStroke(const Stroke& stroke) {
   own.hand.t = stroke.at_s * rules.c_m_s;
   own.fromHand = stroke.from_m.has_value();
   if (stroke.from_m) {
-    own.hand.x = stroke.from_m->x, own.hand.y = stroke.from_m->y;
+    own.hand.x = stroke.from_m->x;
+    own.hand.y = stroke.from_m->y;
     own.height = stroke.from_m->z - pucks[number].height;
   }
-  own.px = stroke.momentum_kg_m_s.x / rules.c_m_s, own.py = stroke.momentum_kg_m_s.y / rules.c_m_s;
+  own.px = stroke.momentum_kg_m_s.x / rules.c_m_s;
+  own.py = stroke.momentum_kg_m_s.y / rules.c_m_s;
   own.offset = stroke.offset_m;
   turns = turns || stroke.offset_m != 0.0;
   if (!isWithdrawn(number)) pucks[number].strokes.push_back(static_cast<int>(strokes.size()));

@@ -45,7 +45,11 @@ std::optional<Emission> SampledHistory::seenAt(std::size_t vertex, const Event& 
   std::size_t row = 0, after = rowCount() - 1;
   while (after - row > 1) {
     const std::size_t middle = (row + after) / 2;
-    (insideBy_m(middle, vertex, observation) >= 0.0 ? row : after) = middle;
+    if (insideBy_m(middle, vertex, observation) >= 0.0) {
+      row = middle;
+    } else {
+      after = middle;
+    }
   }
   const Displacement start = eventOf(row, vertex) - observation,
                      step = eventOf(row + 1, vertex) - eventOf(row, vertex);
