@@ -1,6 +1,7 @@
 #pragma once
 // The people in the room as players: their cues, their match, who has seen what, and the shots that are kept.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -46,8 +47,9 @@ class Players {
            Announcements& announcements, Decision& decision);
 
   /// Looks at what each viewer sees of the events in a frame in which time passes: counts a carom when the
-  /// one who struck sees it, and says so; tells who saw a hit first.
-  void see(std::span<const GameEvent> events, Announcements& announcements, Decision& decision);
+  /// one who struck sees it, and says so; tells who saw a hit first; lets hands feel what their strokes do.
+  void see(std::span<const GameEvent> events, PlayerInputs& inputs, Announcements& announcements,
+           Decision& decision);
 
   /// Returns the earliest view that may be shown again, or that of the one who struck last.
   const ObserverView& earliest(const FrameRecord& record) {
@@ -60,6 +62,8 @@ class Players {
   void act(std::size_t viewer, const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs,
            Game& game, Announcements& announcements, Decision& decision);
   void struck(std::size_t viewer, const CueInteraction::Outcome& outcome, Decision& decision);
+  std::optional<HandForce::Holding> hold(std::size_t viewer, const HandInput& hand, const HandRules& rules,
+                                         const FrameRecord& record);
 
   const Scenario* scenario_;
   std::vector<CueInteraction> cues_;  ///< of each viewer
@@ -69,6 +73,7 @@ class Players {
   ShotMemory shots_;
   ShotReplay replay_;
   std::size_t answeredBy_ = 0;
+  std::array<std::optional<std::size_t>, kMostViewers> held_{};  ///< the puck that each viewer holds
 };
 
 }  // namespace carom

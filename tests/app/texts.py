@@ -30,6 +30,7 @@ NOT_SHOWN = {
     "keyFor", "Box", "kDriveModes", "decision.notes.push_back",
 }
 OWN_WORDS = {
+    "app/play/hand_force.cpp": "notes of a session file about force devices",
     "app/operator/command.cpp": "names and values of commands, as session files and their log hold them",
     "app/operator/visitor_choices.h": "names of shipped games",
     "app/report/chart_file.cpp": "SVG",
