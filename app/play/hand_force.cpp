@@ -31,7 +31,8 @@ void HandForce::play(const BilliardSetup& game) {
   if (std::exchange(saidStiffness_, true)) return;
   const std::string lowered = loweredStiffness(setup_);
   if (!lowered.empty()) log::warn(lowered);
-  if (!lowered.empty()) notes_.push_back({"force stiffness", lowered, true});
+  if (!lowered.empty())
+    notes_.push_back({"force stiffness", std::string(texts::message::kForceLowered), true});
 }
 
 /// Returns whether the hand that aims is the one at the device. A simulated device is in whatever hand there

@@ -26,7 +26,7 @@ void tellOf(HandForce& force, std::size_t viewer, Announcements& announcements, 
 }  // namespace
 
 Players::Players(const Scenario& scenario, const std::optional<FrameRecord>& before)
-    : scenario_(&scenario), cues_(kMostViewers, CueInteraction(scenario)) {
+    : scenario_(&scenario), cues_(kMostViewers, CueInteraction(scenario)), tasks_(scenario) {
   if (before) match_ = Match(*before);
 }
 
@@ -109,10 +109,12 @@ void Players::struck(std::size_t viewer, const CueInteraction::Outcome& outcome,
   hit_.struck(outcome.stroke->puck, outcome.arrives_s);
   striker_ = viewer;
   shots_.struck();
+  tasks_.struck(viewer, *outcome.stroke, outcome.arrives_s);
 }
 
-void Players::see(std::span<const GameEvent> events, PlayerInputs& inputs, Announcements& announcements,
-                  Decision& decision) {
+void Players::see(const World& world, const OperatorSettings& settings, PlayerInputs& inputs,
+                  Announcements& announcements, Decision& decision) {
+  const std::span<const GameEvent> events = world.events;
   FrameRecord& record = decision.frame.record;
   for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
     if (HandForce* const force = inputs.force(viewer)) force->see(events, record, viewer);
@@ -128,6 +130,7 @@ void Players::see(std::span<const GameEvent> events, PlayerInputs& inputs, Annou
     announcements.tellCarom(viewer, *cushions, decision);
   }
   match_.putInto(record);
+  tasks_.look(settings, world, announcements, decision);
 }
 
 }  // namespace carom

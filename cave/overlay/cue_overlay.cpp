@@ -27,7 +27,7 @@ constexpr std::array<double, 4> kTicks{0.5, 0.8, 0.9, 0.95};  // of c
 constexpr double kDigits = 0.025, kTickDigits = 0.016;        // heights, as fractions of the distance
 constexpr double kBar = 0.010, kPanel = 0.076,
                  kPanelMiddle = 0.055;                     // half widths, and the place of the panel's middle
-constexpr double kReadout = 0.092, kForceReadout = 0.076;  // heights of the numbers below the bar
+constexpr double kReadout = 0.092, kForceReadout = 0.056;  // heights of the numbers below the bar
 
 /// Returns the pen strokes of a letter: points on a grid of 2 × 4 (right, up), with a blank where the pen is
 /// lifted; '^' is a raised 2.
@@ -222,15 +222,16 @@ void CueOverlay::addScale(const HandView& hand, const ForceView& force, const Fa
     addText(target, aside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, texts::cue::kMarks[i]);
   }
   std::array<char, 24> words{};
-  const auto say = [&](double upwards, fmt::format_string<double&> format, double value) {
+  const auto say = [&](double upwards, fmt::format_string<double&> format, double value,
+                       double height = kDigits) {
     const auto said = fmt::format_to_n(words.data(), words.size(), format, value);
-    addText(target, aside - kBar, kScaleFoot + upwards, kDigits, {words.data(), said.size});
+    addText(target, aside - kBar, kScaleFoot + upwards, height, {words.data(), said.size});
   };
   say(-0.042, texts::cue::kSpeed, betaOf(hand.u));
   say(-0.080, texts::cue::kEnergy, cost);
   if (!force.shown) return;
-  say(-0.118, texts::cue::kForce, glm::length(force.force_n));
-  say(-0.156, texts::cue::kForceScale, 1.0 / force.scale);
+  say(-0.114, texts::cue::kForce, glm::length(force.force_n));
+  say(-0.138, texts::cue::kForceScale, 1.0 / force.scale, kTickDigits);
 }
 
 void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,

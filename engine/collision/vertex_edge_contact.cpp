@@ -24,7 +24,9 @@ constexpr double kFront = 0.1;    // the cosine of the angle between sides that 
 // many.
 constexpr double kPartingStep = 0.02, kPartingGrowth = 1.2;
 constexpr int kPartingSteps = 30;
-constexpr double kEnd = 1e-12;  // of a side's length: by so much it reaches beyond its corners
+constexpr double kPassageTouches = 1e-6;  // of the radii: so far apart they have come out of each other
+constexpr double kPassageStep = 1e-4;     // likewise: the least step in which a passage is followed
+constexpr double kEnd = 1e-12;            // of a side's length: by so much it reaches beyond its corners
 
 /// A quantity that is linear in the offset of a corner and in its own time.
 struct Linear {
@@ -53,10 +55,13 @@ class Corners {
   Corners(const MovingShape& a, const MovingShape& b, const Vec21& origin, const Vec21& U,
           const ContactWindow& window, bool aIsFirst)
       : a_(a), b_(b), window_(window), axesOfA_(a.u), axesOfB_(b.u), aIsFirst_(aIsFirst) {
-    ofA_ = portableSinCos(a.angle), ofB_ = portableSinCos(b.angle);
+    ofA_ = portableSinCos(a.angle);
+    ofB_ = portableSinCos(b.angle);
     const Vec21 d = a.start - b.start;
     place_ = axesOfB_.place(d);
-    perX_ = axesOfB_.place(axesOfA_.x), perY_ = axesOfB_.place(axesOfA_.y), perS_ = axesOfB_.place(a.u);
+    perX_ = axesOfB_.place(axesOfA_.x);
+    perY_ = axesOfB_.place(axesOfA_.y);
+    perS_ = axesOfB_.place(a.u);
     ownTimeOfB_ = linear(b.u, d);
     time_ = linear(U, a.start - origin);
     windowTime_ = linear(window.frame, a.start - window.origin);
@@ -71,6 +76,12 @@ class Corners {
   /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to
   /// where the other was at the earlier contact, or only such as look away.
   PenetrationState penetrationOfConvex() const;
+  /// The widest gap between b's sides and a at `window.from`, below 0 if none parts them, and the cosine of
+  /// the angle between that side's normal and the way out on which a was at the earlier contact.
+  struct Gap {
+    double width = -kNever, along = 1.0;
+  };
+  Gap gap() const;
   void setPenetration(PenetrationState of, bool behind) { penetration_ = of, behind_ = behind; }
 
   /// Bodies without spin: keeps the earliest piercing in `best`.
@@ -259,6 +270,22 @@ void Corners::lookBack() {
   }
 }
 
+Corners::Gap Corners::gap() const {
+  std::array<Spot, kMostCorners> spots;
+  const std::size_t count = a_.outline->corners().size();
+  for (std::size_t k = 0; k < count; ++k) spots[k] = spotOf(cornerOf(k), startOf(cornerOf(k)));
+  Gap widest;
+  for (const Outline::Side& side : b_.outline->sides()) {
+    double least = kNever, along = 1.0;
+    for (const Spot& spot : std::span(spots).first(count)) {
+      const double outside = glm::dot(side.normal, spot.place) - side.offset;
+      if (outside < least) least = outside, along = glm::dot(side.normal, outwards(spot));
+    }
+    if (least > widest.width) widest = {least, along};
+  }
+  return widest;
+}
+
 PenetrationState Corners::penetrationOfConvex() const {
   PenetrationState penetration = PenetrationState::inside;
   for (const Outline::Side& side : b_.outline->sides()) {
@@ -268,7 +295,8 @@ PenetrationState Corners::penetrationOfConvex() const {
       const double outside = glm::dot(side.normal, spot.place) - side.offset;
       if (!(outside < least)) continue;
       const Vec2 front = outwards(spot);
-      least = outside, along = glm::dot(side.normal, front);
+      least = outside;
+      along = glm::dot(side.normal, front);
       isFar = glm::dot(spot.place, front) < -b_.radius;
     }
     if (!(least >= -kCornerTouches * size_)) continue;
@@ -347,7 +375,8 @@ std::optional<Corners::SearchResult> Corners::advance(std::size_t corner, double
       const auto depth = [&](double at) { return -positionAt(corner, at).outside; };
       return SearchResult{rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s))};
     }
-    s = next, here = there;
+    s = next;
+    here = there;
   }
   return std::nullopt;
 }
@@ -362,7 +391,8 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
     if (root2 < 0.0 && penetration_ == PenetrationState::apart) return;
     const double margin = std::sqrt(speed2) / ownTimeOfB_.perS * a_.radius;
     const double root = std::sqrt(std::max(0.0, root2));
-    begin = (-half - root) / speed2 - margin, end = (-half + root) / speed2 + margin;
+    begin = (-half - root) / speed2 - margin;
+    end = (-half + root) / speed2 + margin;
   } else if (apart2 > 0.0 && penetration_ == PenetrationState::apart) {
     return;
   }
@@ -482,6 +512,28 @@ void addPiercedPlaces(const MovingShape& first, const MovingShape& second, const
 PenetrationState penetrationOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
                                       const ContactWindow& window, const PersistentContact& earlier) {
   return BothCorners(first, second, U, window, &earlier).ofFirst.penetration();
+}
+
+void followPassage(const MovingShape& first, const MovingShape& second, const PersistentContact& earlier,
+                   double until, Passage& passage) {
+  if (!first.outline->isConvex() || !second.outline->isConvex()) return;
+  ContactWindow now = windowAt(earlier);
+  now.from = std::max({now.from, now.timeOf(first.start), now.timeOf(second.start)});
+  const double size = first.radius + second.radius;
+  // Of the gap, in its body's axes: a corner comes at less than light speed, and dτ/dt < 2γ at its events.
+  const double fastest =
+      2.0 * std::max(dot(now.frame, first.u), dot(now.frame, second.u)) *
+      (1.0 + std::abs(first.turning) * first.radius + std::abs(second.turning) * second.radius);
+  const BothCorners corners(first, second, now.frame, now, &earlier);
+  for (int steps = 0; steps == 0 || (steps < kMostSteps && now.from < until); ++steps) {
+    if (passage.isOver()) return;
+    const auto bySecond = corners.ofFirst.gap(), byFirst = corners.ofSecond.gap();
+    const auto& widest = bySecond.width > byFirst.width ? bySecond : byFirst;
+    const bool apart = widest.width > kPassageTouches * size;
+    if (passage.overlapping && apart) passage.elsewhere = widest.along < 0.0;
+    passage.overlapping = !apart;
+    now.from += std::max(std::abs(widest.width), kPassageStep * size) / fastest;
+  }
 }
 
 double partingOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,

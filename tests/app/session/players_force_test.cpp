@@ -61,7 +61,7 @@ class PlayersWithForce : public testing::Test {
     record.viewers[0].observer = views[0];
     record.boardFromRoom = room_.viewers().boardFromRoom();
     players_.act({settings_, false, true}, room_.viewers(), inputs_, game_, announcements_, decision_);
-    players_.see(world_.events, inputs_, announcements_, decision_);
+    players_.see(world_, settings_, inputs_, announcements_, decision_);
     game_.advance(latestObservation_s(record), decision_.frame);
     applyFrame(decision_.frame, world_);
     return record;
