@@ -217,7 +217,7 @@ TEST_F(Class, FollowsKeysOnTheWall) {
   EXPECT_EQ(told(all[0])["state"], "idle") << "asked anew";
   EXPECT_EQ(told(all[0])["answered"], 0);
   room_.follow({ClassQuestion{"play.toml", {}, {}, {}, 0}, LessonPhase::none}, now_s_);
-  EXPECT_EQ(room_.take(ClassStep::ask, now_s_), texts::phone::kNoQuestion);
+  EXPECT_STREQ(room_.take(ClassStep::ask, now_s_), texts::phone::kNoQuestion);
   EXPECT_EQ(told(all[0])["answers"], Json::array());
 }
 
