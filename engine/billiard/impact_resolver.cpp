@@ -51,6 +51,8 @@ double ImpactResolver::collide(const PuckPair& who, const PredictedEvent& a) {
   if (e == 0.0 && kick->centres.closing < kStill && jammed) return kNever;
   PairOutcome outcome(*kick, e);
   if (!a.withoutDelay) contacts.kickElsewhere(game_, who, contact, outcome);
+  contacts.noteContact(game_, who, contact);
+  contacts.sendBack(game_, who, contact, turn, outcome);
   commitKick(who, found, turn, outcome, a);
   return found.untilAfterKick;
 }
@@ -74,7 +76,6 @@ void ImpactResolver::commitKick(const PuckPair& who, const GameContact& found,
   const std::uint64_t collision =
       history_.addCollision(std::nullopt, contact.event, a.withoutDelay, heat * c * c);
   game_.accounts.heat += heat;
-  contactsOf(game_, who[0], who[1]).noteContact(game_, who, contact);
   const bool lies = found.jam == JamLaw::everywhere;
   const std::array<bool, 2> byMany{lies || game_.isPressed(who[1], turn[1].x.t),
                                    lies || game_.isPressed(who[0], turn[0].x.t)};

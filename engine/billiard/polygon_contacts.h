@@ -21,6 +21,8 @@ class PolygonPair final : public PairContacts {
                                        double restitution) const override;
   void kickElsewhere(const GameState& game, const PuckPair& who, const PairContact& contact,
                      PairOutcome& outcome) const override;
+  void sendBack(const GameState& game, const PuckPair& who, const PairContact& contact,
+                const std::array<LegState, 2>& turn, PairOutcome& outcome) const override;
   void noteContact(GameState& game, const PuckPair& who, const PairContact& contact) const override;
   /// Forgets the contacts of a puck with others from which it has parted.
   void forgetParted(GameState& game, int i) const;

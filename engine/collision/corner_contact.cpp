@@ -95,6 +95,43 @@ std::optional<CornerContact> findCornerContact(const MovingShape& first, const M
   return findContact(first, second, order, windowOf(first, second, order), earlier);
 }
 
+namespace {
+
+// When the circles around both leave each other, in the window's frame: |d + w t| = R1 + R2 for the last
+// time.
+double circlesPart(const MovingShape& first, const MovingShape& second, const ContactWindow& since) {
+  const Vec21& U = since.frame;
+  const double from = std::max(since.timeOf(first.start), since.timeOf(second.start));
+  const auto placeAt = [&](const MovingShape& flight) {
+    return flight.start + flight.u * ((from - since.timeOf(flight.start)) / dot(U, flight.u));
+  };
+  const Vec21 d = placeAt(second) - placeAt(first);
+  const Vec21 w = second.u * (1.0 / dot(U, second.u)) - first.u * (1.0 / dot(U, first.u));
+  const double reach = first.radius + second.radius;
+  const double ww = -dot(w, w), dw = -dot(d, w), dd = -dot(d, d) - reach * reach;
+  const double root2 = dw * dw - ww * dd;
+  return ww > 0.0 && root2 > 0.0 ? from + (-dw + std::sqrt(root2)) / ww : from;
+}
+
+}  // namespace
+
+bool partElsewhere(const std::array<std::vector<MovingShape>, 2>& flights, const PersistentContact& earlier) {
+  const ContactWindow window = windowAt(earlier);
+  std::array<std::size_t, 2> at{0, 0};
+  const auto turn = [&](int k) {
+    return at[k] + 1 < flights[k].size() ? window.timeOf(flights[k][at[k] + 1].start) : kNever;
+  };
+  Passage passage;
+  while (turn(0) < kNever || turn(1) < kNever) {
+    const int next = turn(1) < turn(0) ? 1 : 0;
+    followPassage(flights[0][at[0]], flights[1][at[1]], earlier, turn(next), passage);
+    ++at[next];
+  }
+  const MovingShape &first = flights[0].back(), &second = flights[1].back();
+  followPassage(first, second, earlier, circlesPart(first, second, window), passage);
+  return passage.elsewhere;
+}
+
 PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,
                                   const MovingShape& second) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);

@@ -93,6 +93,18 @@ PenetrationState penetrationOfCorners(const MovingShape& first, const MovingShap
 /// already.
 double partingOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
                         const ContactWindow& window, const PersistentContact& earlier, double until);
+/// How two convex bodies go through each other from a contact on.
+struct Passage {
+  bool overlapping = true;
+  bool elsewhere = false;  ///< they last came out of each other on another side than that of the contact
+
+  /// Whether they have come out on the side of the contact. Then it is over: what touches next is another
+  /// one.
+  bool isOver() const { return !overlapping && !elsewhere; }
+};
+/// Follows two convex bodies up to a time of `windowAt(earlier)`; other bodies are left alone.
+void followPassage(const MovingShape& first, const MovingShape& second, const PersistentContact& earlier,
+                   double until, Passage& passage);
 PenetrationState penetrationOfDisc(const MovingShape& first, const MovingShape& second, const Vec21& U,
                                    const ContactWindow& window, const PersistentContact& earlier);
 

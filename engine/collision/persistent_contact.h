@@ -8,8 +8,12 @@
 // however near another is, and what comes at a side from behind does not touch it. Convex bodies that are in
 // or through each other are free to turn there: to them the sides count that look, by then, to where the
 // other one was on the board. A corner that has come in, or is through, is kept out by that side as a leg
-// begins. From the moment on at which the two have parted on their flights, all this is forgotten. Theory:
-// app/doc/physics.md, Polygons.
+// begins. From the moment on at which the two have parted on their flights, all this is forgotten.
+//
+// Convex bodies are also followed through each other, in the frame of equal speeds of the contact: they have
+// passed when the side that parts them, as they come out, looks against the normal of the contact. A contact
+// after which they would part for good on such a side goes on with a kick through both centres, along its
+// impulse, which sends them back. Theory: app/doc/physics.md, Polygons.
 
 #include <array>
 

@@ -76,6 +76,7 @@ struct PairContact {
   Vec21 U;      ///< four-velocity of the equal-speed frame
   Vec21 n;      ///< normal of the touching rims, from the first towards the second: γ'² dmin e + perp
   std::array<double, 2> simultaneous{};  ///< own proper time from the start to C by U's simultaneity
+  bool central = false;                  ///< the kick acts through both centres, whatever the place
   std::array<double, 2> signal{};  ///< own proper time from the start to the signal's arrival at the centre
 };
 PairContact contactOf(const Disc& first, const Disc& second, bool withoutDelay);

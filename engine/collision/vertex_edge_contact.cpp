@@ -24,7 +24,9 @@ constexpr double kFront = 0.1;    // the cosine of the angle between sides that 
 // many.
 constexpr double kPartingStep = 0.02, kPartingGrowth = 1.2;
 constexpr int kPartingSteps = 30;
-constexpr double kEnd = 1e-12;  // of a side's length: by so much it reaches beyond its corners
+constexpr double kPassageTouches = 1e-6;  // of the radii: so far apart they have come out of each other
+constexpr double kPassageStep = 1e-4;     // likewise: the least step in which a passage is followed
+constexpr double kEnd = 1e-12;            // of a side's length: by so much it reaches beyond its corners
 
 /// A quantity that is linear in the offset of a corner and in its own time.
 struct Linear {
@@ -74,6 +76,12 @@ class Corners {
   /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to
   /// where the other was at the earlier contact, or only such as look away.
   PenetrationState penetrationOfConvex() const;
+  /// The widest gap between b's sides and a at `window.from`, below 0 if none parts them, and the cosine of
+  /// the angle between that side's normal and the way out on which a was at the earlier contact.
+  struct Gap {
+    double width = -kNever, along = 1.0;
+  };
+  Gap gap() const;
   void setPenetration(PenetrationState of, bool behind) { penetration_ = of, behind_ = behind; }
 
   /// Bodies without spin: keeps the earliest piercing in `best`.
@@ -260,6 +268,25 @@ void Corners::lookBack() {
     const bool inside = b_.outline->clearanceOf(spot.place).outside <= 0.0;
     penetration_ = std::max(penetration_, inside ? PenetrationState::inside : PenetrationState::through);
   }
+}
+
+Corners::Gap Corners::gap() const {
+  std::array<Spot, kMostCorners> spots;
+  const std::size_t count = a_.outline->corners().size();
+  for (std::size_t k = 0; k < count; ++k) spots[k] = spotOf(cornerOf(k), startOf(cornerOf(k)));
+  Gap widest;
+  for (const Outline::Side& side : b_.outline->sides()) {
+    double least = kNever, along = 1.0;
+    for (const Spot& spot : std::span(spots).first(count)) {
+      const double outside = glm::dot(side.normal, spot.place) - side.offset;
+      if (outside < least) {
+        least = outside;
+        along = glm::dot(side.normal, outwards(spot));
+      }
+    }
+    if (least > widest.width) widest = {least, along};
+  }
+  return widest;
 }
 
 PenetrationState Corners::penetrationOfConvex() const {
@@ -488,6 +515,28 @@ void addPiercedPlaces(const MovingShape& first, const MovingShape& second, const
 PenetrationState penetrationOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
                                       const ContactWindow& window, const PersistentContact& earlier) {
   return BothCorners(first, second, U, window, &earlier).ofFirst.penetration();
+}
+
+void followPassage(const MovingShape& first, const MovingShape& second, const PersistentContact& earlier,
+                   double until, Passage& passage) {
+  if (!first.outline->isConvex() || !second.outline->isConvex()) return;
+  ContactWindow now = windowAt(earlier);
+  now.from = std::max({now.from, now.timeOf(first.start), now.timeOf(second.start)});
+  const double size = first.radius + second.radius;
+  // Of the gap, in its body's axes: a corner comes at less than light speed, and dτ/dt < 2γ at its events.
+  const double fastest =
+      2.0 * std::max(dot(now.frame, first.u), dot(now.frame, second.u)) *
+      (1.0 + std::abs(first.turning) * first.radius + std::abs(second.turning) * second.radius);
+  const BothCorners corners(first, second, now.frame, now, &earlier);
+  for (int steps = 0; steps == 0 || (steps < kMostSteps && now.from < until); ++steps) {
+    if (passage.isOver()) return;
+    const auto bySecond = corners.ofFirst.gap(), byFirst = corners.ofSecond.gap();
+    const auto& widest = bySecond.width > byFirst.width ? bySecond : byFirst;
+    const bool apart = widest.width > kPassageTouches * size;
+    if (passage.overlapping && apart) passage.elsewhere = widest.along < 0.0;
+    passage.overlapping = !apart;
+    now.from += std::max(std::abs(widest.width), kPassageStep * size) / fastest;
+  }
 }
 
 double partingOfCorners(const MovingShape& first, const MovingShape& second, const Vec21& U,
