@@ -18,24 +18,14 @@ MOST_MEMBERS, MOST_PRIVATE = 15, 12
 # The classes that are larger, and why.
 LARGE = {
     "BodyDrawer": "buffers, programs and uniforms of one pass of drawing",
-    "CellGrid": "a data structure: the operations on one table of cells",
-    "CollisionScheduler": "is being split",
     "Console": "the panels of one window",
     "Corners": "the state of one search for a contact of corners",
     "DueQueue": "a data structure: the operations on one heap",
-    "HandActions": "the actions that OpenXR wants by name",
     "HandTracking": "wand, buttons and SpaceMouse, each with its watch",
-    "HeadTracking": "the stations of one sample: tracker, place, filter, alarm, hand",
-    "InputDevices": "the state of each device that can hold the cue",
-    "Movie": "the state of one encoder of libav",
     "PlatformMotion": "home, tour, way and what was said of one platform",
-    "Recording": "what one session can record",
-    "ReplayVisitorSource": "a visit: where it is and where it may go",
-    "SimulatedTracker": "the phases of one simulated walk",
     "SoftBody": "the arrays of one mesh",
     "SoftPlay": "is being written",
     "StretchedFrame": "the terms of one equation",
-    "Window": "what GLFW keeps of one window",
 }
 ROOMS = ["app", "cave", "devices", "engine"]
 root = pathlib.Path(sys.argv[1])

@@ -102,7 +102,10 @@ void Game::advance(double t_s, FrameState& state) {
   state.record.truncateFrom_s = changes.truncatedFrom_s.value_or(std::numeric_limits<double>::infinity());
   state.record.eventsKept = changes.eventsKept;
   // A game's first frame brings all of it, because a continued session file has parts of it already.
-  if (!begun_) state.record.truncateFrom_s = 0.0, state.record.eventsKept = 0;
+  if (!begun_) {
+    state.record.truncateFrom_s = 0.0;
+    state.record.eventsKept = 0;
+  }
   begun_ = true;
   state.record.pucks = billiard_.worldLines().size();
   state.events = changes.events;

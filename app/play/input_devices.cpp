@@ -81,19 +81,19 @@ InputDevices::Hand InputDevices::wandHand(const HandDevices& devices, double now
 /// Returns the mouse's state. While it holds the cue and is over no wall, it keeps pointing to its last
 /// position.
 InputDevices::Hand InputDevices::mouseHand(const ObserverView& observer, double now_s) {
-  if (desk_.mouse && mouseWas_ && desk_.mouse->onWall_m != mouseWas_->onWall_m) mouseUsed_s_ = now_s;
-  if (desk_.mouseHeld) mouseUsed_s_ = now_s;
-  if (desk_.mouse) mouseWas_ = desk_.mouse;
+  if (desk_.mouse && mouse_.was && desk_.mouse->onWall_m != mouse_.was->onWall_m) mouse_.used_s = now_s;
+  if (desk_.mouseHeld) mouse_.used_s = now_s;
+  if (desk_.mouse) mouse_.was = desk_.mouse;
   Hand hand;
-  hand.there = desk_.mouse || (mouseWas_ && holder_ == mouse);
+  hand.there = desk_.mouse || (mouse_.was && holder_ == mouse);
   hand.held = hand.down = desk_.mouseHeld && desk_.mouseAims;
-  hand.used_s = desk_.mouseAims ? mouseUsed_s_ : kNever_s;
+  hand.used_s = desk_.mouseAims ? mouse_.used_s : kNever_s;
   if (!hand.there) return hand;
-  hand.eye = mouseWas_->eye;
-  hand.from_m = mouseWas_->from_m.value_or(observer.of(hand.eye).positionInRoom_m);
-  hand.along = glm::normalize(mouseWas_->onWall_m - hand.from_m);
-  mouseAt_m_ = onCloth(hand.from_m, hand.along, observer, axes_.up).value_or(mouseAt_m_);
-  hand.at_m = mouseAt_m_;
+  hand.eye = mouse_.was->eye;
+  hand.from_m = mouse_.was->from_m.value_or(observer.of(hand.eye).positionInRoom_m);
+  hand.along = glm::normalize(mouse_.was->onWall_m - hand.from_m);
+  mouse_.at_m = onCloth(hand.from_m, hand.along, observer, axes_.up).value_or(mouse_.at_m);
+  hand.at_m = mouse_.at_m;
   return hand;
 }
 

@@ -96,9 +96,13 @@ class InputDevices {
   std::optional<Device> holder_;
   std::array<bool, kDevices> wasHeld_{}, wasDown_{};
   Vec3 pressed_m_{0.0};  ///< position of the holder at the time of pressing
-  std::optional<PointedWall> mouseWas_;
-  Vec3 mouseAt_m_{0.0};  ///< last position it pointed to in the plane of the cloth
-  double mouseUsed_s_ = kNever_s, padUsed_s_ = kNever_s;
+  struct Mouse {
+    std::optional<PointedWall> was;
+    Vec3 at_m{0.0};  ///< last position it pointed to in the plane of the cloth
+    double used_s = kNever_s;
+  };
+  Mouse mouse_;
+  double padUsed_s_ = kNever_s;
 };
 
 }  // namespace carom

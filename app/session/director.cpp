@@ -29,16 +29,18 @@ void FrameLeader::choose(NextGame next) {
 }
 
 /// Applies a command and notes it. In a live game nothing else changes the settings.
-void FrameLeader::obey(const Command& command, Decision& decision, std::size_t viewer) {
-  if (std::holds_alternative<AdvanceLesson>(command) && settings_.lesson.phase == LessonPhase::none)
-    return obey(ShowBestShot{}, decision, viewer);
+void FrameLeader::applyCommand(const Command& given, Decision& decision, std::size_t viewer) {
+  // Where no lesson can go on, going on shows the best shot.
+  const bool isShot =
+      std::holds_alternative<AdvanceLesson>(given) && settings_.lesson.phase == LessonPhase::none;
+  const Command command = isShot ? ShowBestShot{} : given;
   if (!apply(command, settings_)) return;
-  obeyed_.push_back(command);
+  applied_.push_back(command);
   decision.inputs.push_back({nameOf(command), valueOf(command, settings_), viewer});
   log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
   if (const auto* play = std::get_if<PlayScenario>(&command))
-    choose({play->file, false, false, play->afresh, play->recordTo});
+    choose({play->file, false, false, play->afresh, play->task, play->recordTo});
   if (std::holds_alternative<WelcomeNextVisitor>(command)) choose({firstGame_, true});
 }
 
@@ -75,7 +77,7 @@ void FrameLeader::followProgramme(bool acted, const DeskInput& desk, Decision& d
                                         settings_.playing);
   askWhetherStillThere(decision);
   const bool isChosen = !nextGame_.file.empty() && !nextGame_.attracts && !awaitsShot_;
-  if (next.isForNextVisitor && !isChosen) return obey(WelcomeNextVisitor{}, decision);
+  if (next.isForNextVisitor && !isChosen) return applyCommand(WelcomeNextVisitor{}, decision);
   if (!nextGame_.file.empty() || next.file.empty()) return;
   nextGame_ = next;
   awaitsShot_ = !next.attracts;
@@ -89,6 +91,15 @@ void FrameLeader::askWhetherStillThere(Decision& decision) const {
   if (!left_s) return;
   const Notice asks(fmt::format(texts::message::kStillThere, *left_s));
   for (ViewerState& viewer : record.present()) viewer.notice = asks;
+}
+
+/// Shows the class on the walls, and hands its votes to the journal.
+void FrameLeader::followClass(Decision& decision) {
+  if (!classroom_) return;
+  classroom_->follow(settings_.lesson);
+  classroom_->takeVotes(decision.votes);
+  for (const std::string& phase : classroom_->takePhases()) decision.notes.push_back({"class", phase});
+  decision.frame.record.classroom = classroom_->view();
 }
 
 /// Ends this game if another was chosen: the walls go dark, after the best shot if the other follows by
@@ -108,16 +119,18 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const FrameRecord& before = decision.frame.record;
   const bool choosing = offersChoices(settings_);
   decision.beginFrame();
-  obeyed_.clear();
+  applied_.clear();
+  if (classroom_) classroom_->command(settings_, inbox_);
   const bool acted = inbox_.size() > fromSource_ || !input.keys.empty();
-  for (const Command& command : inbox_) obey(command, decision);
+  for (const Command& command : inbox_) applyCommand(command, decision);
   inbox_.clear();
-  for (const HandCommand& given : handed_) obey(given.command, decision, given.viewer);
+  for (const HandCommand& given : handed_) applyCommand(given.command, decision, given.viewer);
   for (const Command& command : commandsOf(input, keys_, before.display_s, settings_))
-    obey(command, decision);
+    applyCommand(command, decision);
   const DeskInput desk = desk_ ? desk_(input, choosing) : DeskInput{};
-  if (const auto command = lessonCommand(desk.answer, desk.onwards)) obey(*command, decision);
-  source_.next(times, {obeyed_, desk}, settings_, decision);
+  if (const auto command = lessonCommand(desk.answer, desk.onwards)) applyCommand(*command, decision);
+  source_.next(times, {applied_, desk}, settings_, decision);
+  followClass(decision);
   if (isLive(keys_)) followProgramme(acted, desk, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   fromSource_ = decision.commands.size();

@@ -96,35 +96,36 @@ ObserverView ReplayVisitorSource::goOn(const Playback& playback, const FrameTime
   const bool lives = !goTo_s && !playback.paused && playback.rate == 1.0;
   double by_s = playback.paused ? 0.0 : playback.rate * times.step_s;
   // The beginning is the game's, at room time 0, however long the visit has lasted.
-  if (goTo_s) by_s = *goTo_s > 0.0 ? *goTo_s - display_s_ : -roomTime_s_;
-  const ObserverView view = lives
-                                ? viewers_.at(times, eyeSeparation_m_)[0]
-                                : viewers_.freeView(times, eyeSeparation_m_, std::max(by_s, -roomTime_s_))[0];
-  heldBack_ = latestSeen_s(view) > game_.known_s;
-  if (!heldBack_) return view;
-  return viewers_.freeView(times, eyeSeparation_m_, roomTime_s_ - roomTimeOf_s(view))[0];
+  if (goTo_s) by_s = *goTo_s > 0.0 ? *goTo_s - previous_.display_s : -previous_.roomTime_s;
+  const ObserverView view =
+      lives ? viewers_.at(times, eyeSeparation_m_)[0]
+            : viewers_.freeView(times, eyeSeparation_m_, std::max(by_s, -previous_.roomTime_s))[0];
+  previous_.heldBack = latestSeen_s(view) > game_.known_s;
+  if (!previous_.heldBack) return view;
+  return viewers_.freeView(times, eyeSeparation_m_, previous_.roomTime_s - roomTimeOf_s(view))[0];
 }
 
 ObserverView ReplayVisitorSource::look(const OperatorSettings& settings, const FrameTimes& times) {
-  if (settings.views.frozen && sight_) return viewers_.frozenView({*sight_}, times, eyeSeparation_m_)[0];
-  sight_ = goOn(settings.playback, times);
-  roomTime_s_ = roomTimeOf_s(*sight_);
-  return *sight_;
+  if (settings.views.frozen && previous_.sight)
+    return viewers_.frozenView({*previous_.sight}, times, eyeSeparation_m_)[0];
+  previous_.sight = goOn(settings.playback, times);
+  previous_.roomTime_s = roomTimeOf_s(*previous_.sight);
+  return *previous_.sight;
 }
 
 /// Returns whether the trace ends, or whether the next frame but one might show more than was recorded.
 bool ReplayVisitorSource::isLast(const FrameTimes& times, const ObserverView& view) {
-  const double seen_s = latestSeen_s(view), step_s = seen_s - seen_s_.value_or(seen_s);
-  seen_s_ = seen_s;
+  const double seen_s = latestSeen_s(view), step_s = seen_s - previous_.seen_s.value_or(seen_s);
+  previous_.seen_s = seen_s;
   if (end_s_ && times.display_s + times.step_s > *end_s_) return true;
-  if (mayStay_ || (!heldBack_ && seen_s + 2.0 * step_s <= game_.known_s)) return false;
+  if (mayStay_ || (!previous_.heldBack && seen_s + 2.0 * step_s <= game_.known_s)) return false;
   log::note(fmt::format("What comes after board time {:.2f} s was not recorded: the visit ends.", seen_s));
   return true;
 }
 
 void ReplayVisitorSource::next(const FrameTimes& times, const FrameInput& input, OperatorSettings& settings,
                                Decision& decision) {
-  readOnly_.handled(input.desk, display_s_);
+  readOnly_.handled(input.desk, previous_.display_s);
   if (const Seek* seek = lastOf<Seek>(input.commands)) goTo_s_ = seek->session_s;
   decision.frame = std::move(game_.news);
   game_.news = {};
@@ -135,13 +136,13 @@ void ReplayVisitorSource::next(const FrameTimes& times, const FrameInput& input,
   record.viewers.front().observer = look(settings, times);
   if (hasTracedHeadset_)
     record.headset = wornBy(viewers_.head(0).pose, record.viewers.front().observer, game_.headset);
-  record.display_s = display_s_ = times.display_s;
+  record.display_s = previous_.display_s = times.display_s;
   record.lightSpeed_m_s = lightSpeed_m_s_;
   record.last = times.isLast || isLast(times, record.viewers.front().observer);
   putInto(record, settings);
   viewers_.putInto(record);
   decision.alarms = viewers_.takeAlarms();
-  readOnly_.tell(display_s_, record.viewers.front().notice);
+  readOnly_.tell(previous_.display_s, record.viewers.front().notice);
 }
 
 }  // namespace carom

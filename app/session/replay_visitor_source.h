@@ -59,13 +59,17 @@ class ReplayVisitorSource : public FrameSource {
   bool mayStay_;
   bool hasTracedHeadset_;  ///< the walls hang on the head of a trace
   RecordedGame game_;
-  double roomTime_s_ = 0.0;       ///< of the head in the previous frame
-  double display_s_ = 0.0;        ///< of the previous frame
-  bool heldBack_ = false;         ///< the last frame would have shown more than was recorded
-  std::optional<double> seen_s_;  ///< latest board time seen in the previous frame
+  /// The previous frame.
+  struct Previous {
+    double roomTime_s = 0.0;  ///< of the head
+    double display_s = 0.0;
+    bool heldBack = false;              ///< it would have shown more than was recorded
+    std::optional<double> seen_s;       ///< latest board time seen
+    std::optional<ObserverView> sight;  ///< kept for freezing
+  };
+  Previous previous_;
   std::optional<double> goTo_s_;  ///< time the operator seeks, session clock
   ReadOnlyNotice readOnly_;
-  std::optional<ObserverView> sight_;  ///< view of the previous frame, kept for freezing
 };
 
 }  // namespace carom

@@ -55,7 +55,7 @@ void Recording::startMovie(const std::filesystem::path& file) try {
   if (movie_ || walls_.empty()) return;
   graphics_.makeCurrent();
   movie_ = std::make_unique<Movie>(file, movieLayout(walls_, isOneWindow_), display_hz_, whenFull());
-  filmsForOperator_ = true;
+  asked_.movie = true;
   filmed_ = 0;
 } catch (const std::exception& error) {
   log::error(fmt::format("no movie: {}", error.what()));
@@ -63,9 +63,9 @@ void Recording::startMovie(const std::filesystem::path& file) try {
 
 void Recording::endMovie() {
   graphics_.makeCurrent();
-  attempt(movie_, filmsForOperator_, "the session goes on, without the movie", [this] { finishMovie(); });
+  attempt(movie_, asked_.movie, "the session goes on, without the movie", [this] { finishMovie(); });
   movie_.reset();
-  filmsForOperator_ = false;
+  asked_.movie = false;
 }
 
 void Recording::takePictures(const std::filesystem::path& folder) try {
@@ -75,7 +75,7 @@ void Recording::takePictures(const std::filesystem::path& folder) try {
   capture_ = std::make_unique<Capture>(folder, WhenFull::wait);
   folder_ = folder;
   captured_.reset();
-  takesForOperator_ = true;
+  asked_.picture = true;
 } catch (const std::exception& error) {
   log::error(fmt::format("no pictures: {}", error.what()));
 }
@@ -114,17 +114,17 @@ void Recording::take(const DisplayWalls& walls, const SpectatorView* outside, co
     walls.film(*movie_, record.display_s);
     ++filmed_;
   };
-  if (realTime_ || takesForOperator_) {
-    attempt(capture_, takesForOperator_, "the session goes on, without more pictures", capture);
+  if (realTime_ || asked_.picture) {
+    attempt(capture_, asked_.picture, "the session goes on, without more pictures", capture);
   } else if (capture_) {
     capture();
   }
-  if (realTime_ || filmsForOperator_) {
-    attempt(movie_, filmsForOperator_, "the session goes on, without the movie", film);
+  if (realTime_ || asked_.movie) {
+    attempt(movie_, asked_.movie, "the session goes on, without the movie", film);
   } else if (movie_) {
     film();
   }
-  if (!std::exchange(takesForOperator_, false) || !capture_) return;
+  if (!std::exchange(asked_.picture, false) || !capture_) return;
   attempt(capture_, true, "the session goes on, without the pictures", [this] { finishCapture(); });
   if (capture_) log::note(fmt::format("The pictures are in {}.", folder_.string()));
   capture_.reset();
@@ -148,7 +148,7 @@ RecordingReport Recording::report() const {
 void Recording::finish() {
   graphics_.makeCurrent();
   attempt(capture_, false, "the session ends, without all pictures", [this] { finishCapture(); });
-  attempt(movie_, filmsForOperator_, "the session ends, without the movie", [this] { finishMovie(); });
+  attempt(movie_, asked_.movie, "the session ends, without the movie", [this] { finishMovie(); });
   if (cluster_.firstFailed(failed_) >= 0) throw RankFailed{};
 }
 

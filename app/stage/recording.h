@@ -77,8 +77,12 @@ class Recording {
   bool isOneWindow_;
   double display_hz_;
   bool realTime_;
-  bool takesForOperator_ = false;  ///< pictures of one frame, asked for in the session
-  bool filmsForOperator_ = false;  ///< a movie that was asked for in the session
+  // What the operator has asked for in the session.
+  struct Asked {
+    bool picture = false;  ///< pictures of one frame
+    bool movie = false;
+  };
+  Asked asked_;
   bool failed_ = false;
   std::optional<std::uint64_t> captured_;  // number of the last frame captured
   std::filesystem::path folder_;

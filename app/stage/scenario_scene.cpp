@@ -103,6 +103,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
     told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}, {}, body.isDrawn});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
+  hall.lamps = scenario.lamps;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
   for (std::size_t i = 0; i < scenario.told.size(); ++i) {
     const ToldBody& body = scenario.told[i];

@@ -26,8 +26,8 @@ HeadTracking::HeadTracking(const Rig& rig, const ViewerSetup& viewer, SharedTrac
       hand_(rig, viewer, trackers),
       name_(rig.trackers[setup_.sensor.tracker].name),
       standing_{rig.axes.up * kStandingEyes_m, {1.0, 0.0, 0.0, 0.0}} {
-  samples_.reserve(kMostSamples);
-  inputs_.reserve(kMostSamples);
+  polled_.samples.reserve(kMostSamples);
+  polled_.inputs.reserve(kMostSamples);
 }
 
 Tracked HeadTracking::tracked() const {
@@ -51,25 +51,25 @@ std::vector<TrackerReport> HeadTracking::reports(const HeadEstimate& head) const
 }
 
 HeadEstimate HeadTracking::at(const FrameTimes& times) {
-  samples_.clear();
-  inputs_.clear();
+  polled_.samples.clear();
+  polled_.inputs.clear();
   if (headset_) headset_->take(times.headset);
-  tracker_->poll(times.begin_s, samples_);
-  tracker_->takeInputs(inputs_);
-  watch_.see(times.begin_s, samples_);
+  tracker_->poll(times.begin_s, polled_.samples);
+  tracker_->takeInputs(polled_.inputs);
+  watch_.see(times.begin_s, polled_.samples);
   if (watch_.isDue(times.begin_s)) {
     if (const auto line = watch_.look(times.begin_s, tracker_->health(times.begin_s)))
       alarms_.push_back(*line);
   }
   begin_s_ = times.begin_s;
-  headPlace_.see(begin_s_, samples_);
-  hand_.follow(begin_s_, samples_, inputs_);
+  headPlace_.see(begin_s_, polled_.samples);
+  hand_.follow(begin_s_, polled_.samples, polled_.inputs);
   if (hand_.isDue(begin_s_)) {
     for (const std::string& line : hand_.look(begin_s_, *tracker_)) alarms_.push_back(line);
   }
   if (headset_ && times.step_s == 0.0) filter_ = HeadFilter();
   const Pose sensorFromEyes = inverse(setup_.eyesFromSensor);
-  for (const TrackerSample& sample : samples_) {
+  for (const TrackerSample& sample : polled_.samples) {
     if (sample.sensor != setup_.sensor.sensor) continue;
     if (!filter_.hasStarted()) filter_.fadeInFrom(times.display_s);
     const Pose roomFromHead = roomFromTracker_ * sample.pose * sensorFromEyes;

@@ -49,7 +49,7 @@ class HeadTracking {
   std::vector<TrackerReport> reports(const HeadEstimate& head) const;
 
   /// Returns the samples of all sensors of the head's tracker for that frame.
-  std::span<const TrackerSample> samples() const { return samples_; }
+  std::span<const TrackerSample> samples() const { return polled_.samples; }
 
  private:
   HeadSetup setup_;
@@ -60,9 +60,13 @@ class HeadTracking {
   TrackerAlarm watch_;
   HeadFilter filter_;
   std::optional<Pose> given_;  // of a headset: the head as it last told it
-  std::vector<TrackerSample> samples_;
   SensorPlace headPlace_;
-  std::vector<Reading> inputs_;
+  // What the last poll delivered.
+  struct Polled {
+    std::vector<TrackerSample> samples;
+    std::vector<Reading> inputs;
+  };
+  Polled polled_;
   HandTracking hand_;
   std::vector<std::string> alarms_;
   std::string name_;      // name of the head's tracker in the rig

@@ -304,16 +304,16 @@ Movie::~Movie() {
 
 void Movie::add(double display_s, std::span<const RenderTarget* const> pictures) {
   fetch(1);
-  if (previous_s_) {
-    const double stayed_s = display_s - *previous_s_;
+  if (pace_.previous_s) {
+    const double stayed_s = display_s - *pace_.previous_s;
     const bool jumped = !(std::abs(stayed_s) <= kLongestStay_s);
     const double ticks = jumped ? 1.0 : std::max(1.0, std::round(stayed_s * frames_hz_));
-    tick_ += static_cast<std::uint64_t>(ticks);
+    pace_.tick += static_cast<std::uint64_t>(ticks);
   }
-  const bool first = !previous_s_;
-  previous_s_ = display_s;
+  const bool first = !pace_.previous_s;
+  pace_.previous_s = display_s;
   if (whenFull_ == WhenFull::drop && !first && queue_->room() < 1 + reader_.underWay()) {
-    ++dropped_;
+    ++pace_.dropped;
     return;
   }
   {
@@ -325,7 +325,7 @@ void Movie::add(double display_s, std::span<const RenderTarget* const> pictures)
     }
   }
   reader_.ask(picture_, 0);
-  asked_.push_back(tick_);
+  asked_.push_back(pace_.tick);
 }
 
 void Movie::fetch(std::size_t most) {

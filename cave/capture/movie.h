@@ -65,7 +65,7 @@ class Movie {
   /// keeps the other name, and a message says so.
   void finish();
 
-  std::uint64_t dropped() const { return dropped_; }  ///< number of frames
+  std::uint64_t dropped() const { return pace_.dropped; }  ///< number of frames
   const std::filesystem::path& file() const { return file_; }
 
  private:
@@ -81,9 +81,12 @@ class Movie {
   MovieLayout layout_;
   double frames_hz_;
   WhenFull whenFull_;
-  std::uint64_t dropped_ = 0;
-  std::uint64_t tick_ = 0;
-  std::optional<double> previous_s_;  // display time of the previous frame
+  struct Pace {
+    std::uint64_t tick = 0;
+    std::optional<double> previous_s;  // display time of the previous frame
+    std::uint64_t dropped = 0;         // frames
+  };
+  Pace pace_;
   RenderTarget picture_;
   StereoPacker packer_;
   PictureReader reader_;

@@ -64,11 +64,12 @@ struct Window::Hears {
     glm::dvec2 place(0.0);
     glfwGetCursorPos(window, &place.x, &place.y);
     const glm::dvec2 at_px = here.toPixels(place.x, place.y);
-    const bool isOver = here.gui_ && (down ? here.listens_ || here.gui_->isClaimed(at_px) : here.overHeld_);
+    const bool isOver =
+        here.gui_ && (down ? here.listens_ || here.gui_->isClaimed(at_px) : here.pointing_.overHeld);
     if (isOver) {
       if (!here.listens_) here.gui_->hear({GuiEvent::Kind::pointer, at_px});  // as when a finger comes down
       here.gui_->hear({GuiEvent::Kind::button, {}, static_cast<unsigned>(button), down});
-      here.overHeld_ = down;
+      here.pointing_.overHeld = down;
       return;
     }
     if (button == GLFW_MOUSE_BUTTON_MIDDLE) return;
@@ -237,9 +238,9 @@ PointerInput Window::takePointer() {
   glm::dvec2 place_px(0.0);
   glfwGetCursorPos(window_, &place_px.x, &place_px.y);
   const bool dragging = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-  if (dragging && dragging_) input.dragged_px = place_px - pointer_px_;
-  dragging_ = dragging;
-  pointer_px_ = place_px;
+  if (dragging && pointing_.dragging) input.dragged_px = place_px - pointing_.at_px;
+  pointing_.dragging = dragging;
+  pointing_.at_px = place_px;
   if (glfwGetWindowAttrib(window_, GLFW_HOVERED)) input.wheel = graphics_.input_.wheel;
   return input;
 }

@@ -96,9 +96,13 @@ class Window {
   bool listens_ = false;  // its Gui takes input
   mutable PointerQueue pointer_;
   mutable std::uint64_t framePoll_ = 0, discarded_ = 0;  // of Graphics, when the pointer was last asked for
-  bool overHeld_ = false;       // a button was pressed over what lies above the pictures
-  glm::dvec2 pointer_px_{0.0};  // at the last takePointer
-  bool dragging_ = false;       // at the last takePointer
+  // At the last takePointer.
+  struct Pointing {
+    glm::dvec2 at_px{0.0};
+    bool dragging = false;
+    bool overHeld = false;  // a button was pressed over what lies above the pictures
+  };
+  Pointing pointing_;
   SwapGroupCalls::Drawable drawable_ = 0;
   std::unique_ptr<StereoPacker> packer_;
   std::unique_ptr<Gui> gui_;  // from its first use on

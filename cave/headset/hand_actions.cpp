@@ -22,14 +22,14 @@ HandActions::HandActions(XrInstance instance, XrSession session, bool seesHands)
   std::strcpy(set.actionSetName, "carom");
   std::strcpy(set.localizedActionSetName, "Carom");
   check(instance, xrCreateActionSet(instance, &set, &set_), "the headset's runtime takes no actions");
-  aim_ = action(XR_ACTION_TYPE_POSE_INPUT, "aim", "Aim the cue");
-  trigger_ = action(XR_ACTION_TYPE_FLOAT_INPUT, "cue", "Draw the cue");
-  select_ = action(XR_ACTION_TYPE_BOOLEAN_INPUT, "select", "Draw the cue (button)");
-  first_ = action(XR_ACTION_TYPE_BOOLEAN_INPUT, "first", "First button");
-  second_ = action(XR_ACTION_TYPE_BOOLEAN_INPUT, "second", "Second button");
-  menu_ = action(XR_ACTION_TYPE_BOOLEAN_INPUT, "menu", "Menu");
-  stick_ = action(XR_ACTION_TYPE_VECTOR2F_INPUT, "drive", "Drive");
-  knock_ = action(XR_ACTION_TYPE_VIBRATION_OUTPUT, "knock", "Feel the stroke");
+  actions_.aim = action(XR_ACTION_TYPE_POSE_INPUT, "aim", "Aim the cue");
+  actions_.trigger = action(XR_ACTION_TYPE_FLOAT_INPUT, "cue", "Draw the cue");
+  actions_.select = action(XR_ACTION_TYPE_BOOLEAN_INPUT, "select", "Draw the cue (button)");
+  actions_.first = action(XR_ACTION_TYPE_BOOLEAN_INPUT, "first", "First button");
+  actions_.second = action(XR_ACTION_TYPE_BOOLEAN_INPUT, "second", "Second button");
+  actions_.menu = action(XR_ACTION_TYPE_BOOLEAN_INPUT, "menu", "Menu");
+  actions_.stick = action(XR_ACTION_TYPE_VECTOR2F_INPUT, "drive", "Drive");
+  actions_.knock = action(XR_ACTION_TYPE_VIBRATION_OUTPUT, "knock", "Feel the stroke");
   suggestAll();
   auto attach = infoOf<XrSessionActionSetsAttachInfo>(XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO);
   attach.countActionSets = 1;
@@ -37,7 +37,7 @@ HandActions::HandActions(XrInstance instance, XrSession session, bool seesHands)
   check(instance, xrAttachSessionActionSets(session, &attach), "the headset's runtime takes no actions");
   for (std::size_t hand = 0; hand < 2; ++hand) {
     auto space = infoOf<XrActionSpaceCreateInfo>(XR_TYPE_ACTION_SPACE_CREATE_INFO);
-    space.action = aim_;
+    space.action = actions_.aim;
     space.subactionPath = hands_[hand];
     space.poseInActionSpace.orientation.w = 1.0F;
     check(instance, xrCreateActionSpace(session, &space, &aims_[hand]),
@@ -82,25 +82,27 @@ void HandActions::suggest(const char* profile, const std::vector<std::pair<XrAct
 
 /// The profiles are those of the specification, chapter 6.4.
 void HandActions::suggestAll() {
-  const std::pair<XrAction, const char*> aim{aim_, "input/aim/pose"}, knock{knock_, "output/haptic"},
-      trigger{trigger_, "input/trigger/value"}, stick{stick_, "input/thumbstick"};
+  const std::pair<XrAction, const char*> aim{actions_.aim, "input/aim/pose"},
+      knock{actions_.knock, "output/haptic"}, trigger{actions_.trigger, "input/trigger/value"},
+      stick{actions_.stick, "input/thumbstick"};
   suggest("/interaction_profiles/khr/simple_controller",
-          {aim, knock, {select_, "input/select/click"}, {menu_, "input/menu/click"}});
+          {aim, knock, {actions_.select, "input/select/click"}, {actions_.menu, "input/menu/click"}});
   suggest("/interaction_profiles/oculus/touch_controller", {aim,
                                                             knock,
                                                             trigger,
                                                             stick,
-                                                            {first_, "left/input/x/click"},
-                                                            {first_, "right/input/a/click"},
-                                                            {second_, "left/input/y/click"},
-                                                            {second_, "right/input/b/click"},
-                                                            {menu_, "left/input/menu/click"}});
-  suggest("/interaction_profiles/valve/index_controller",
-          {aim, knock, trigger, stick, {first_, "input/a/click"}, {second_, "input/b/click"}});
+                                                            {actions_.first, "left/input/x/click"},
+                                                            {actions_.first, "right/input/a/click"},
+                                                            {actions_.second, "left/input/y/click"},
+                                                            {actions_.second, "right/input/b/click"},
+                                                            {actions_.menu, "left/input/menu/click"}});
+  suggest(
+      "/interaction_profiles/valve/index_controller",
+      {aim, knock, trigger, stick, {actions_.first, "input/a/click"}, {actions_.second, "input/b/click"}});
   suggest("/interaction_profiles/htc/vive_controller",
-          {aim, knock, trigger, {stick_, "input/trackpad"}, {menu_, "input/menu/click"}});
+          {aim, knock, trigger, {actions_.stick, "input/trackpad"}, {actions_.menu, "input/menu/click"}});
   suggest("/interaction_profiles/microsoft/motion_controller",
-          {aim, knock, trigger, stick, {menu_, "input/menu/click"}});
+          {aim, knock, trigger, stick, {actions_.menu, "input/menu/click"}});
 }
 
 bool HandActions::isPressed(XrAction action, std::size_t hand) const {
@@ -112,11 +114,11 @@ bool HandActions::isPressed(XrAction action, std::size_t hand) const {
 
 /// Returns how far the trigger is pulled, 0 to 1; a controller with a button in its place pulls all the way.
 double HandActions::pulled(std::size_t hand) const {
-  const XrActionStateGetInfo info = stateOf(trigger_, hands_[hand]);
+  const XrActionStateGetInfo info = stateOf(actions_.trigger, hands_[hand]);
   auto state = infoOf<XrActionStateFloat>(XR_TYPE_ACTION_STATE_FLOAT);
   if (XR_SUCCEEDED(xrGetActionStateFloat(session_, &info, &state)) && state.isActive)
     return static_cast<double>(state.currentState);
-  return isPressed(select_, hand) ? 1.0 : 0.0;
+  return isPressed(actions_.select, hand) ? 1.0 : 0.0;
 }
 
 HeadsetHand HandActions::handAt(std::size_t hand, XrTime time, XrSpace room) {
@@ -137,10 +139,10 @@ HeadsetHand HandActions::handAt(std::size_t hand, XrTime time, XrSpace room) {
     pull = std::max(pull, bare.pinched);
   }
   wasHeld_[hand] = state.trigger = isHeld(wasHeld_[hand], pull);
-  state.first = isPressed(first_, hand);
-  state.second = isPressed(second_, hand);
-  state.menu = isPressed(menu_, hand);
-  const XrActionStateGetInfo info = stateOf(stick_, hands_[hand]);
+  state.first = isPressed(actions_.first, hand);
+  state.second = isPressed(actions_.second, hand);
+  state.menu = isPressed(actions_.menu, hand);
+  const XrActionStateGetInfo info = stateOf(actions_.stick, hands_[hand]);
   auto stick = infoOf<XrActionStateVector2f>(XR_TYPE_ACTION_STATE_VECTOR2F);
   if (XR_SUCCEEDED(xrGetActionStateVector2f(session_, &info, &stick)) && stick.isActive)
     state.stick = {stick.currentState.x, stick.currentState.y};
@@ -161,7 +163,7 @@ std::array<HeadsetHand, 2> HandActions::at(XrTime time, XrSpace room) {
 
 void HandActions::knock(int hand, double strength, double duration_s) const {
   auto info = infoOf<XrHapticActionInfo>(XR_TYPE_HAPTIC_ACTION_INFO);
-  info.action = knock_;
+  info.action = actions_.knock;
   info.subactionPath = hands_[static_cast<std::size_t>(hand)];
   auto vibration = infoOf<XrHapticVibration>(XR_TYPE_HAPTIC_VIBRATION);
   vibration.amplitude = static_cast<float>(strength);

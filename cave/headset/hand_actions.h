@@ -36,7 +36,10 @@ class HandActions {
   XrSession session_;
   std::array<XrPath, 2> hands_{};
   XrActionSet set_ = XR_NULL_HANDLE;
-  XrAction aim_{}, trigger_{}, select_{}, first_{}, second_{}, menu_{}, stick_{}, knock_{};
+  struct Actions {
+    XrAction aim{}, trigger{}, select{}, first{}, second{}, menu{}, stick{}, knock{};
+  };
+  Actions actions_;
   std::array<XrSpace, 2> aims_{};
   std::array<bool, 2> wasHeld_{};
   std::optional<BareHands> bare_;

@@ -61,8 +61,11 @@ double worstBend_rad(double edge_m, double beta, double nearest_m) {
   constexpr int kSteps = 40;  // to a thousandth of the first step, which suffices since the peak is flat
   for (int i = 0; i < kSteps; ++i) {
     const double left = low + (high - low) / 3.0, right = high - (high - low) / 3.0;
-    (bendAt(left, a, expEta) < bendAt(right, a, expEta) ? low : high) =
-        bendAt(left, a, expEta) < bendAt(right, a, expEta) ? left : right;
+    if (bendAt(left, a, expEta) < bendAt(right, a, expEta)) {
+      low = left;
+    } else {
+      high = right;
+    }
   }
   return std::max(worst, bendAt(0.5 * (low + high), a, expEta));
 }

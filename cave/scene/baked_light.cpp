@@ -61,8 +61,12 @@ class Obstacles {
   bool hide(const glm::dvec3& from_m, const glm::dvec3& along, double length_m) const {
     const glm::vec3 from(from_m), way(along);
     RTCRay ray{};
-    ray.org_x = from.x, ray.org_y = from.y, ray.org_z = from.z;
-    ray.dir_x = way.x, ray.dir_y = way.y, ray.dir_z = way.z;
+    ray.org_x = from.x;
+    ray.org_y = from.y;
+    ray.org_z = from.z;
+    ray.dir_x = way.x;
+    ray.dir_y = way.y;
+    ray.dir_z = way.z;
     ray.tnear = static_cast<float>(kNearest_m);
     ray.tfar = static_cast<float>(length_m);
     ray.mask = ~0U;

@@ -121,7 +121,7 @@ class Session {
     }
     switch (packet.type) {
       case Type::command:
-        return obey(packet.text());
+        return applyAnswer(packet.text());
       case Type::error:
         return complain(packet.text());
       case Type::xml:
@@ -138,7 +138,7 @@ class Session {
   }
 
   /// Takes QTM's answers to a new client and to its version.
-  void obey(std::string_view answer) {
+  void applyAnswer(std::string_view answer) {
     if (!greeted_) {
       if (!answer.starts_with(kGreeting)) {
         throw std::runtime_error("it greets with '" + shownName(answer) + "', expected '" +

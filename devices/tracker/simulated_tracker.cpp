@@ -48,7 +48,7 @@ double between(std::mt19937_64& random, double low, double high) {
 
 SimulatedTracker::SimulatedTracker(const SimulatedPerson& person)
     : person_(person), motionRandom_(person.seed), noiseRandom_(person.seed + 0x9e3779b97f4a7c15u) {
-  position_m_ = intent_.place_m = intent_.onTheWay_m = {0.0, person.headHeight_m, 0.0};
+  body_.position_m = intent_.place_m = intent_.onTheWay_m = {0.0, person.headHeight_m, 0.0};
   intent_.until_s = person.walks ? 0.0 : kFirstStand_s;
   intent_.lookUntil_s = kFirstStand_s;
 }
@@ -98,14 +98,14 @@ void SimulatedTracker::step() {
 
   const double stride_rad_s = 2.0 * std::numbers::pi * kStride_hz;
   stride_rad_ = std::fmod(stride_rad_ + stride_rad_s * kStep_s, 2.0 * std::numbers::pi);
-  const double speed_m_s = std::hypot(velocity_m_s_.x, velocity_m_s_.z);
+  const double speed_m_s = std::hypot(body_.velocity_m_s.x, body_.velocity_m_s.z);
   const double bob_m_s2 = kBob_s * speed_m_s * stride_rad_s * stride_rad_s * std::sin(stride_rad_);
 
-  acceleration_m_s2_ = restless_m_s2 - posture.damping_s * velocity_m_s_ -
-                       posture.stiffness_s2 * (position_m_ - intent_.onTheWay_m);
-  acceleration_m_s2_.y += bob_m_s2;
-  position_m_ += kStep_s * velocity_m_s_ + 0.5 * kStep_s * kStep_s * acceleration_m_s2_;
-  velocity_m_s_ += kStep_s * acceleration_m_s2_;
+  body_.acceleration_m_s2 = restless_m_s2 - posture.damping_s * body_.velocity_m_s -
+                            posture.stiffness_s2 * (body_.position_m - intent_.onTheWay_m);
+  body_.acceleration_m_s2.y += bob_m_s2;
+  body_.position_m += kStep_s * body_.velocity_m_s + 0.5 * kStep_s * kStep_s * body_.acceleration_m_s2;
+  body_.velocity_m_s += kStep_s * body_.acceleration_m_s2;
 
   const glm::dvec2 pull_rad_s2 =
       kGaze_rad_s * (kGaze_rad_s * (intent_.look_rad - gaze_rad_) - 2.0 * gazeRate_rad_s_);
@@ -126,10 +126,10 @@ void SimulatedTracker::moveTruthTo(double time_s) {
     return v.x * person_.axes.right + v.y * person_.axes.up + v.z * person_.axes.forward;
   };
   truth_.time_s = time_s;
-  truth_.pose.position_m =
-      inTracker(position_m_ + rest_s * velocity_m_s_ + 0.5 * rest_s * rest_s * acceleration_m_s2_);
-  truth_.velocity_m_s = inTracker(velocity_m_s_ + rest_s * acceleration_m_s2_);
-  truth_.acceleration_m_s2 = inTracker(acceleration_m_s2_);
+  truth_.pose.position_m = inTracker(body_.position_m + rest_s * body_.velocity_m_s +
+                                     0.5 * rest_s * rest_s * body_.acceleration_m_s2);
+  truth_.velocity_m_s = inTracker(body_.velocity_m_s + rest_s * body_.acceleration_m_s2);
+  truth_.acceleration_m_s2 = inTracker(body_.acceleration_m_s2);
   const glm::dvec2 gaze_rad = gaze_rad_ + rest_s * gazeRate_rad_s_;
   truth_.pose.orientation =
       glm::angleAxis(gaze_rad.x, person_.axes.up) * glm::angleAxis(gaze_rad.y, person_.axes.right);

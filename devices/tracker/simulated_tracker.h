@@ -76,9 +76,12 @@ class SimulatedTracker : public Tracker {
   // The motion, advanced in steps of a millisecond whatever the tracker's rate; (right, up, forward) axes.
   std::int64_t steps_ = 0;
   Intent intent_;
-  glm::dvec3 position_m_{0.0};
-  glm::dvec3 velocity_m_s_{0.0};
-  glm::dvec3 acceleration_m_s2_{0.0};
+  struct Body {
+    glm::dvec3 position_m{0.0};
+    glm::dvec3 velocity_m_s{0.0};
+    glm::dvec3 acceleration_m_s2{0.0};
+  };
+  Body body_;
   glm::dvec3 drive_{0.0};     // unit white noise after one low-pass
   glm::dvec3 restless_{0.0};  // and after two
   double stride_rad_ = 0.0;

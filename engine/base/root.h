@@ -33,9 +33,11 @@ double rootOfIncreasing(const Function& f, double guess, double step = 1e-3) {
     if (!(next > low && next < high)) next = middle;
     const double there = f(next);
     if (there > 0.0) {
-      high = next, atHigh = there;
+      high = next;
+      atHigh = there;
     } else {
-      low = next, atLow = there;
+      low = next;
+      atLow = there;
     }
     allowed *= 0.5;
   }

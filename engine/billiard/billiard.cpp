@@ -124,7 +124,10 @@ void Billiard::keepSnapshot() {
   for (std::size_t i = forgottenBefore_s_ > 0.0 ? 1 : 0; i + 1 < snapshots_.size(); ++i) {
     const double earlier = i == 0 ? 0.0 : snapshots_[i - 1].time;
     const double gap = (snapshots_[i + 1].time - earlier) / (present - earlier);
-    if (gap < least) least = gap, spare = i;
+    if (gap < least) {
+      least = gap;
+      spare = i;
+    }
   }
   snapshots_.erase(snapshots_.begin() + static_cast<std::ptrdiff_t>(spare));
 }

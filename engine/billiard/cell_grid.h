@@ -47,6 +47,9 @@ class CellGrid {
   double cellEdge() const { return cell_; }
   int cellOf(int item) const { return cellOf_[item]; }
   int cellAt(double x, double y) const {
+    const auto indexIn = [](double index, int count) {
+      return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
+    };
     return cellIn(indexIn(std::floor((x - lowX_) * perCell_), columns_),
                   indexIn(std::floor((y - lowY_) * perCell_), rows_));
   }
@@ -126,7 +129,10 @@ class CellGrid {
 
     void put(int place, int item, const CoarseFlight& flight) {
       items[place] = item;
-      x[place] = flight.x, y[place] = flight.y, vx[place] = flight.vx, vy[place] = flight.vy;
+      x[place] = flight.x;
+      y[place] = flight.y;
+      vx[place] = flight.vx;
+      vy[place] = flight.vy;
     }
     void take(int place, const Block& from, int there) {
       put(place, from.items[there], {from.x[there], from.y[there], from.vx[there], from.vy[there]});
@@ -140,9 +146,6 @@ class CellGrid {
     int block, place;
   };
 
-  static int indexIn(double index, int count) {
-    return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
-  }
   // The margin is the first row, the last, and what follows the columns of every row, which is the one before
   // those of the next row, too.
   int cellIn(int column, int row) const { return ((row + 1) << rowShift_) + column; }
@@ -152,8 +155,10 @@ class CellGrid {
   int stepAlong(int axis) const { return axis == 0 ? 1 : 1 << rowShift_; }
   template <class Visit>
   void visitBlocks(int columnLow, int columnHigh, int rowLow, int rowHigh, Visit visit) const {
-    columnLow = std::max(0, columnLow), columnHigh = std::min(columns_ - 1, columnHigh);
-    rowLow = std::max(0, rowLow), rowHigh = std::min(rows_ - 1, rowHigh);
+    columnLow = std::max(0, columnLow);
+    columnHigh = std::min(columns_ - 1, columnHigh);
+    rowLow = std::max(0, rowLow);
+    rowHigh = std::min(rows_ - 1, rowHigh);
     for (int row = rowLow; row <= rowHigh; ++row) {
       for (int column = columnLow; column <= columnHigh; ++column) {
         for (int block = cellIn(column, row); block != kNone; block = blocks_[block].more)

@@ -117,7 +117,8 @@ class DueQueue {
     if (end_ < static_cast<int>(soon_.size())) return;
     std::copy(soon_.begin() + begin_, soon_.end(), soon_.begin());
     for (int& seen : seen_) seen -= begin_;
-    end_ -= begin_, begin_ = 0;
+    end_ -= begin_;
+    begin_ = 0;
   }
   void insertSoon(const Entry& entry) {
     if (end_ - begin_ == kMostSoon) moveLastSoon();

@@ -71,7 +71,10 @@ bool JamSolver::relax(double slow) {
       const double j = body.j;
       if (body.cushions == 0) continue;
       body.outline == nullptr ? leaveCushions(body, slow) : partFromCushions(body);
-      if (before.x != body.u.x || before.y != body.u.y || j != body.j) settled = false, body.changed = sweep;
+      if (before.x != body.u.x || before.y != body.u.y || j != body.j) {
+        settled = false;
+        body.changed = sweep;
+      }
     }
     if (settled) return true;
   }
@@ -181,7 +184,10 @@ void JamSolver::moveGroup(int group) {
   for (JamBody& body : bodies_) {
     if (body.group != group) continue;
     double heat = 0.5 * body.mass * relative2(body.u, u);
-    if (body.outline != nullptr) heat += body.mass - body.masses.mass, body.turnTo(0.0);
+    if (body.outline != nullptr) {
+      heat += body.mass - body.masses.mass;
+      body.turnTo(0.0);
+    }
     body.kick(u, heat);
     body.cushions = cushions;
     leaveCushions(body, 0.0);

@@ -72,6 +72,7 @@ struct alignas(64) Prediction {
   bool leavesAlongY = false;                     // its cell
   bool hasMet = false;                           // something is in `PuckState::met`
   bool hasDecided = false;                       // `PuckState::decidedAt` is not -kNever
+  int leavesAlong() const { return leavesAlongY ? 1 : 0; }  // the axis
 };
 
 /// The contact at which a body with corners and another came together, while they have not parted since.
@@ -85,7 +86,7 @@ struct PersistentPartner {
 struct alignas(64) PuckState {
   std::vector<CommittedLeg> decided;
   double properTime = 0.0;  // when the leg began
-  double mass = 0.0;
+  double mass = 0.0;        // 0: the puck has left the game
   double runBegan = -kNever, lastKick = -kNever;
   unsigned file = 0;  // place in the setup
   unsigned short kicksInRun = 0;
@@ -102,6 +103,18 @@ struct alignas(64) PuckState {
   std::vector<HandledContact>
       met;  // pucks whose contact with this leg is dealt with, and the number of their leg
   std::vector<PersistentPartner> partners;
+
+  /// Counts a kick. Returns whether it was the one that makes further kicks plastic (`jammed`).
+  bool noteKick(double turnTime, double radius);
+  /// Ends `jammed` if the puck has been left in peace.
+  void noteRest(double turnTime, double radius);
+  /// Counts an impact by another puck; one of many at once, by what presses or lies on the puck, as more.
+  void noteImpact(double turnTime, double radius, double closing, bool byMany);
+  /// Returns whether other pucks press it at board time `t`: kick it without end in a short time.
+  bool isPressed(double t, double radius) const {
+    return impacts >= kImpactsOfAJam && !(t - lastImpact > radius);
+  }
+  static constexpr int kImpactsOfAJam = 64;
 };
 
 /// The spin of a puck on the leg that it follows, and what it depends on.

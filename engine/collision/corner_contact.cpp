@@ -45,7 +45,8 @@ std::optional<FoundContact> findFirst(const MovingShape& first, const MovingShap
   const double parted = partingOfCorners(first, second, U, window, *earlier, found ? found->time : kNever);
   if (parted == kNever || (found && found->time <= parted)) return found;
   ContactWindow after = window;
-  after.from = parted, after.strictly = false;
+  after.from = parted;
+  after.strictly = false;
   return findPiercing(first, second, order, after, nullptr);
 }
 
@@ -142,7 +143,9 @@ PenetrationState penetrationSince(const PersistentContact& earlier, const Moving
                                   const MovingShape& second, double time) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
   ContactWindow window;
-  window.frame = U, window.origin = first.start, window.from = time;
+  window.frame = U;
+  window.origin = first.start;
+  window.from = time;
   const auto penetration = haveCorners(first, second) ? penetrationOfCorners : penetrationOfDisc;
   return penetration(first, second, U, window, earlier);
 }
@@ -151,7 +154,9 @@ std::vector<TouchedPlace> placesKeptOut(const MovingShape& first, const MovingSh
                                         const PersistentContact& earlier) {
   const Vec21 U = equalSpeedFrame(first.u, second.u);
   ContactWindow window;
-  window.frame = U, window.origin = first.start, window.from = time;
+  window.frame = U;
+  window.origin = first.start;
+  window.from = time;
   std::vector<FoundContact> found;
   addPiercedPlaces(first, second, U, window, 0.0, &earlier, found);
   std::vector<TouchedPlace> places;

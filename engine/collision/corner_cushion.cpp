@@ -123,7 +123,9 @@ class Approach {
         const auto depth = [&](double at) { return -clearance(corner, at); };
         return rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s));
       }
-      s = next, there = then, beyond = there <= 0.0;
+      s = next;
+      there = then;
+      beyond = there <= 0.0;
     }
     return std::nullopt;
   }
@@ -160,7 +162,8 @@ std::optional<CornerCushionContact> touchesAtOnce(const MovingShape& flight, dou
   for (const Vec2& corner : flight.outline->corners()) {
     const double clearance = approach.clearance(corner, 0.0);
     if (!(clearance <= deepest) || !(approach.closing(corner, 0.0) > kLeastClosing)) continue;
-    deepest = clearance, found = &corner;
+    deepest = clearance;
+    found = &corner;
   }
   if (found == nullptr) return std::nullopt;
   return atOnce(flight, properTime, approach.event(*found, 0.0), delayed);

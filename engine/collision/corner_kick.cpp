@@ -94,7 +94,10 @@ class Collision {
   template <typename Function>
   static double rootBeyond(const Function& f, double step) {
     double low = 0.0, high = step;
-    for (int doubled = 0; !(f(high) > 0.0) && doubled < 1000; ++doubled) low = high, high *= 2.0;
+    for (int doubled = 0; !(f(high) > 0.0) && doubled < 1000; ++doubled) {
+      low = high;
+      high *= 2.0;
+    }
     return rootOfIncreasing(f, 0.5 * (low + high), 0.5 * (high - low));
   }
 

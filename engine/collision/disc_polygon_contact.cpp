@@ -63,7 +63,8 @@ class StretchedFrame {
         gammaOfBody_(dot(U, body.u)),
         beta_(axes_.place(disc.u) / gammaOfDisc_) {
     velocity_ = stretched(axes_.place(body.u) / gammaOfBody_ - beta_);
-    perX_ = stretched(axes_.place(axesOfBody_.x)), perY_ = stretched(axes_.place(axesOfBody_.y));
+    perX_ = stretched(axes_.place(axesOfBody_.x));
+    perY_ = stretched(axes_.place(axesOfBody_.y));
     perS_ = stretched(axes_.place(body.u));
     reach_ = disc.radius + body.radius;
     if (body.turning != 0.0)
@@ -225,7 +226,11 @@ Nearest nearestOf(std::span<const Vec2> corners) {
     const double distance2 = glm::dot(point, point);
     const double front = (point.y * half.x - point.x * half.y) / glm::length(half);
     if (!isNearer(distance2, front, least2, mostFront)) continue;
-    least2 = distance2, mostFront = front, nearest = point, found.side = k, found.share = share;
+    least2 = distance2;
+    mostFront = front;
+    nearest = point;
+    found.side = k;
+    found.share = share;
   }
   const bool atCorner = std::abs(found.share) >= 1.0;
   const bool inside =
@@ -235,7 +240,8 @@ Nearest nearestOf(std::span<const Vec2> corners) {
   found.towards = nearest * ((inside ? -1.0 : 1.0) / distance);
   if (!(distance > 0.0)) {
     const Vec2 way = halfOf(corners, found.side);
-    found.outside = 0.0, found.towards = Vec2{-way.y, way.x} / glm::length(way);
+    found.outside = 0.0;
+    found.towards = Vec2{-way.y, way.x} / glm::length(way);
   }
   return found;
 }
@@ -256,7 +262,10 @@ OnSide nearestOnSide(const StretchedFrame& frame, std::size_t side, double share
     const auto leadsAway = [&] {
       return std::abs(by) > kClose && glm::length(there.place) > glm::length(here.place);
     };
-    while (leadsAway()) by *= 0.5, there = moved();
+    while (leadsAway()) {
+      by *= 0.5;
+      there = moved();
+    }
     const double way = std::abs(there.share - here.share);
     here = there;
     if (way < kFound) break;
@@ -286,7 +295,8 @@ Nearest nearestOfTurning(const StretchedFrame& frame, double time, std::span<con
   const auto consider = [&](const Vec2& nearest, std::size_t k, double share) {
     const double distance = glm::length(nearest);
     if (!(distance > 0.0) || !(distance < least)) return;
-    least = distance, found = {sign * distance, nearest * (sign / distance), k, share};
+    least = distance;
+    found = {sign * distance, nearest * (sign / distance), k, share};
   };
   for (std::size_t k = 0; k < corners.size(); ++k) consider(corners[k], k, -1.0);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -394,7 +404,9 @@ std::optional<FoundContact> touchTurning(const StretchedFrame& frame, const Cont
       if (window.holds(window.timeOf(contact.event)) && frame.penetration(at) != PenetrationState::through)
         return contact;
     }
-    time = next, gap = there, inside = there <= 0.0,
+    time = next;
+    gap = there;
+    inside = there <= 0.0;
     behind = frame.penetration(time) == PenetrationState::through;
   }
   return std::nullopt;

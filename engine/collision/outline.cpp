@@ -171,7 +171,9 @@ Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
     const double distance2 = glm::dot(way, way);
     const double front = glm::dot(way, side.normal);
     if (!isNearer(distance2, front, least2, mostFront)) continue;
-    least2 = distance2, mostFront = front, found.side = k;
+    least2 = distance2;
+    mostFront = front;
+    found.side = k;
     outside = std::abs(along) < half ? front > 0.0 : turnsLeft(corners_, along < 0.0 ? k : k + 1);
   }
   found.outside = outside ? std::sqrt(least2) : -std::sqrt(least2);
@@ -191,7 +193,8 @@ std::optional<std::size_t> Outline::entranceOf(const Vec2& from, const Vec2& to)
     const double at = std::max(0.0, before / (before - after));
     const double along = glm::dot(side.along, from + (to - from) * at - side.from);
     if (!(along >= -touches && along <= side.length + touches) || !(at > last)) continue;
-    last = at, entrance = k;
+    last = at;
+    entrance = k;
   }
   return entrance;
 }

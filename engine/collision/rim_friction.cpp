@@ -25,7 +25,11 @@ double rootBetween(const Function& f, double low, double high, double guess, dou
   for (int i = 0; i < kSteps; ++i) {
     const Sloped at = f(x);
     if (at.value == 0.0) return x;
-    (at.value > 0.0 ? high : low) = x;
+    if (at.value > 0.0) {
+      high = x;
+    } else {
+      low = x;
+    }
     double next = x - at.value / at.slope;
     const bool steep = !(std::abs(at.value) < 1.0);  // towards the ends it grows without bound
     if (!steep && std::abs(next - x) <= fine) return next;
@@ -218,10 +222,15 @@ double celerityOfWall(const std::array<InCentreOfMass, 2>& pucks, const RimRules
     if (!(u > low && u < high)) break;
     const double value = difference(u);
     if (std::abs(value) <= 0x1p-50 * impulses) break;
-    (value > 0.0 ? high : low) = u;
-    (value > 0.0 ? above : below) = value;
-    if (value > 0.0 && lowered) below *= 0.5;
-    if (value < 0.0 && raised) above *= 0.5;
+    if (value > 0.0) {
+      high = u;
+      above = value;
+      if (lowered) below *= 0.5;
+    } else {
+      low = u;
+      below = value;
+      if (raised && value < 0.0) above *= 0.5;
+    }
     lowered = value > 0.0;
     raised = !lowered;
   }

@@ -35,8 +35,14 @@ struct SimultaneousContacts {
 
   void add(const Vec21& event) {
     const double at = -dot(event, along);
-    if (at < low) low = at, ends[0] = event;
-    if (at > high) high = at, ends[1] = event;
+    if (at < low) {
+      low = at;
+      ends[0] = event;
+    }
+    if (at > high) {
+      high = at;
+      ends[1] = event;
+    }
   }
 };
 

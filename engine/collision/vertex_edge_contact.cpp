@@ -55,10 +55,13 @@ class Corners {
   Corners(const MovingShape& a, const MovingShape& b, const Vec21& origin, const Vec21& U,
           const ContactWindow& window, bool aIsFirst)
       : a_(a), b_(b), window_(window), axesOfA_(a.u), axesOfB_(b.u), aIsFirst_(aIsFirst) {
-    ofA_ = portableSinCos(a.angle), ofB_ = portableSinCos(b.angle);
+    ofA_ = portableSinCos(a.angle);
+    ofB_ = portableSinCos(b.angle);
     const Vec21 d = a.start - b.start;
     place_ = axesOfB_.place(d);
-    perX_ = axesOfB_.place(axesOfA_.x), perY_ = axesOfB_.place(axesOfA_.y), perS_ = axesOfB_.place(a.u);
+    perX_ = axesOfB_.place(axesOfA_.x);
+    perY_ = axesOfB_.place(axesOfA_.y);
+    perS_ = axesOfB_.place(a.u);
     ownTimeOfB_ = linear(b.u, d);
     time_ = linear(U, a.start - origin);
     windowTime_ = linear(window.frame, a.start - window.origin);
@@ -292,7 +295,8 @@ PenetrationState Corners::penetrationOfConvex() const {
       const double outside = glm::dot(side.normal, spot.place) - side.offset;
       if (!(outside < least)) continue;
       const Vec2 front = outwards(spot);
-      least = outside, along = glm::dot(side.normal, front);
+      least = outside;
+      along = glm::dot(side.normal, front);
       isFar = glm::dot(spot.place, front) < -b_.radius;
     }
     if (!(least >= -kCornerTouches * size_)) continue;
@@ -371,7 +375,8 @@ std::optional<Corners::SearchResult> Corners::advance(std::size_t corner, double
       const auto depth = [&](double at) { return -positionAt(corner, at).outside; };
       return SearchResult{rootOfIncreasing(depth, 0.5 * (s + next), 0.5 * (next - s))};
     }
-    s = next, here = there;
+    s = next;
+    here = there;
   }
   return std::nullopt;
 }
@@ -386,7 +391,8 @@ void Corners::pierceTurning(double& deepest, std::optional<FoundContact>& best) 
     if (root2 < 0.0 && penetration_ == PenetrationState::apart) return;
     const double margin = std::sqrt(speed2) / ownTimeOfB_.perS * a_.radius;
     const double root = std::sqrt(std::max(0.0, root2));
-    begin = (-half - root) / speed2 - margin, end = (-half + root) / speed2 + margin;
+    begin = (-half - root) / speed2 - margin;
+    end = (-half + root) / speed2 + margin;
   } else if (apart2 > 0.0 && penetration_ == PenetrationState::apart) {
     return;
   }

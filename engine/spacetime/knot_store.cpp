@@ -24,7 +24,9 @@ KnotStore::KnotStore(KnotStore&& other) noexcept
 
 KnotStore& KnotStore::operator=(const KnotStore& other) {
   if (this == &other) return *this;
-  rests_ = other.rests_, rest_ = other.rest_, origin_ = other.origin_;
+  rests_ = other.rests_;
+  rest_ = other.rest_;
+  origin_ = other.origin_;
   copyRows(other);
   return *this;
 }
@@ -35,7 +37,8 @@ KnotStore& KnotStore::operator=(KnotStore&& other) {
   std::swap(last_, other.last_);
   std::swap(first_, other.first_), std::swap(size_, other.size_);
   pages_.swap(other.pages_), rests_.swap(other.rests_);
-  rest_ = other.rest_, origin_ = other.origin_;
+  rest_ = other.rest_;
+  origin_ = other.origin_;
   return *this;
 }
 
@@ -69,7 +72,8 @@ void KnotStore::dropFirst(std::size_t count) {
 }
 
 void KnotStore::copyRows(const KnotStore& other) {
-  first_ = other.first_, size_ = other.size_;
+  first_ = other.first_;
+  size_ = other.size_;
   makePages();
   for (std::size_t page = 0; page <= end() / kRows; ++page) *pages_[page] = *other.pages_[page];
   noteLast();

@@ -123,11 +123,35 @@ class ApproachCheck {
   }
 
  private:
-  /// What the game knows at one time.
-  struct Instant {
-    std::vector<CollisionScheduler::CurrentLeg> followed;
-    std::vector<CollisionScheduler::PersistentPair> together;
+  /// The leg that a puck follows.
+  struct CurrentLeg {
+    double since = 0.0;  ///< board time at which it began
+    Vec21 u;
+    bool awaitsTurn = false;  ///< which is decided and has not come
   };
+  /// Two bodies that have come together and not parted since, and the contact.
+  struct PersistentPair {
+    std::array<std::size_t, 2> pucks;
+    PersistentContact since;
+  };
+  /// What the game knows at one time, by the places in the setup.
+  struct Instant {
+    std::vector<CurrentLeg> followed;
+    std::vector<PersistentPair> together;
+  };
+  static Instant instantOf(const GameState& state) {
+    Instant instant;
+    instant.followed.resize(state.pucks.size());
+    for (std::size_t i = 0; i < state.pucks.size(); ++i) {
+      const PuckState& puck = state.pucks[i];
+      instant.followed[puck.file] = {state.discs[i].start.t, state.discs[i].u, !puck.decided.empty()};
+      for (const PersistentPartner& one : puck.partners) {
+        const std::size_t other = static_cast<std::size_t>(one.other);
+        if (other >= i) instant.together.push_back({{puck.file, state.pucks[other].file}, one.contact});
+      }
+    }
+    return instant;
+  }
   // Plays the game again, from one beginning of a leg, or event, to the next.
   void playAgain() {
     std::vector<double> times;
@@ -141,7 +165,7 @@ class ApproachCheck {
       bool played = false;
       while (!played) {
         played = game.playUntil(time, history.eventCount() + 1, history);
-        instants_.push_back({game.currentLegs(), game.persistentPairs()});
+        instants_.push_back(instantOf(game.state()));
       }
     }
   }
@@ -168,7 +192,7 @@ class ApproachCheck {
   }
   static std::optional<PersistentContact> earlierOf(const Instant& instant,
                                                     const std::array<std::size_t, 2>& who) {
-    for (const CollisionScheduler::PersistentPair& pair : instant.together) {
+    for (const PersistentPair& pair : instant.together) {
       const PersistentContact& of = pair.since;
       if (pair.pucks == who) return of;
       if (pair.pucks == std::array{who[1], who[0]})
