@@ -7,7 +7,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 # The program finds share/carom relative to its own place (app/files/config_folder.h).
 install(TARGETS carom COMPONENT program DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY config/ COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}/carom
-  PATTERN build EXCLUDE PATTERN install-packages EXCLUDE PATTERN packages.txt EXCLUDE PATTERN "*.cmake" EXCLUDE
+  PATTERN build EXCLUDE PATTERN install-packages EXCLUDE PATTERN "packages*.txt" EXCLUDE PATTERN "*.cmake" EXCLUDE
   PATTERN "*.schema.json" EXCLUDE
   PATTERN udev EXCLUDE PATTERN desktop EXCLUDE PATTERN systemd EXCLUDE)
 install(FILES config/udev/70-carom.rules COMPONENT program DESTINATION lib/udev/rules.d)

@@ -93,6 +93,8 @@ void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options
       ->transform(numberOf({{"asks", static_cast<int>(LessonPhase::asks)},
                             {"shows", static_cast<int>(LessonPhase::shows)},
                             {"explains", static_cast<int>(LessonPhase::explains)}}));
+  command.add_flag("--hide-right", options->hideRight,
+                   "Lessons do not tell which answer is right: for a class that discusses it before");
 }
 
 void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
@@ -148,6 +150,25 @@ void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& option
           ""));
 }
 
+/// Adds what lets a class answer by phone.
+void addClass(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  auto* with = command.add_flag(
+      "--class", options->hasClass,
+      "Let a class answer by phone: the front wall shows how to join. Prints the address of the pages, the "
+      "word of the room and the teacher's PIN. Without it no socket is open");
+  command
+      .add_option("--class-address", options->classAddress,
+                  "The address on which phones find it, in numbers. Default: this computer's in the network "
+                  "of its default route")
+      ->type_name("ADDRESS")
+      ->needs(with);
+  command.add_option("--class-port", options->classPort, "The port of the pages; 0: any that is free")
+      ->type_name("PORT")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65535))
+      ->needs(with);
+}
+
 }  // namespace
 
 std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
@@ -178,6 +199,7 @@ std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
       "Arrows walk, Page Up and Page Down raise and lower the head, Delete and End turn it; the wand points "
       "where the mouse does, and the left button is its trigger");
   addWithoutNodes(command, options->withoutNodes);
+  addClass(command, options);
   addUnattended(command, options);
   addSilent(command, options->silent);
   addExtraWindows(command, options->extra);

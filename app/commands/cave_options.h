@@ -38,9 +38,13 @@ struct CaveOptions {
   std::optional<std::filesystem::path> status;  ///< rank 0 says here once a second how the session goes
   std::vector<int> withoutNodes;                ///< of the rig, whose computers are missing
   bool noWindow = false;
-  bool silent = false;  ///< no sounds
-  std::string pin;      ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none
+  bool silent = false;       ///< no sounds
+  std::string pin;           ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none
+  bool hasClass = false;     ///< a class answers by phone
+  std::string classAddress;  ///< on which its server listens; empty: that of the default route
+  std::uint16_t classPort = 8080;      ///< 0: any that is free
   std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one
+  bool hideRight = false;              ///< lessons do not tell the right answer
   Switches switches;                   ///< at the start
   TimeViews views;                     ///< at the start
   ExtraWindows extra;                  ///< what rank 0 also shows

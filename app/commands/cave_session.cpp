@@ -10,6 +10,8 @@
 #include <memory>
 #include <utility>
 
+#include "app/classroom/class_address.h"
+#include "app/classroom/class_desk.h"
 #include "app/commands/session_frames.h"
 #include "app/files/rig_viewers.h"
 #include "app/journal/session_file.h"
@@ -75,29 +77,31 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
 enum class WrittenGame { first, resumed, another };
 
 /// Opens the session file, if there is one.
-std::unique_ptr<Journal> openJournal(const std::optional<std::filesystem::path>& file, WrittenGame game,
-                                     const SetupOptions& inputs, const SessionSetup& setup) {
-  if (!file) return nullptr;
+std::unique_ptr<Journal> openJournal(const CaveOptions& options, WrittenGame game, const SetupOptions& inputs,
+                                     const SessionSetup& setup) {
+  if (!options.session) return nullptr;
   SessionFacts facts{CAROM_VERSION,      inputs.rig.file,         inputs.scenario.file,
                      textOf(inputs.rig), textOf(inputs.scenario), setup.scenario.billiard.lightSpeed_m_s};
   for (const Puck& puck : setup.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
   facts.viewers = namesOf(setup.rig.viewers);
   for (const TrackerSetup& tracker : setup.rig.trackers) facts.trackers.push_back(tracker.name);
   if (setup.headset) facts.eyePixels = {setup.headset->pixels().x, setup.headset->pixels().y};
+  facts.hasClass = options.hasClass;
   facts.isAnotherGame = game == WrittenGame::another;
-  return std::make_unique<Journal>(*file, facts, game != WrittenGame::first);
+  return std::make_unique<Journal>(*options.session, facts, game != WrittenGame::first);
 }
 
 /// The state from which a session is continued.
 struct Before {
   SessionFacts facts;
+  ClassLeft classroom;
   std::optional<FrameRecord> last;  ///< empty if it ended before its first frame
 };
 
 Before whatWas(const std::filesystem::path& file) {
   SessionFile session(file);
   session.scenario();  // refuses one that the session does not belong to
-  Before before{session.facts(), {}};
+  Before before{session.facts(), session.classLeft(), {}};
   const auto frames = session.frames();
   if (!frames) return before;
   // A session may have been cut off while the best shot was shown again, from where it was seen. The
@@ -146,6 +150,26 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
   return settings;
 }
 
+/// Returns the lesson of the game, or null.
+const Lesson* lessonOf(const SessionSetup& setup) {
+  return setup.scenario.lesson ? &*setup.scenario.lesson : nullptr;
+}
+
+/// Opens the class, if one takes part, and prints how to join.
+std::unique_ptr<ClassDesk> openClass(const CaveOptions& options, const SessionSetup& setup,
+                                     const SetupOptions& inputs, const Before& before) {
+  if (!options.hasClass) return nullptr;
+  const ClassServerOptions server{
+      options.classAddress.empty() ? addressOfDefaultRoute() : options.classAddress, options.classPort,
+      anyRoomWord(), anyPin()};
+  auto desk = std::make_unique<ClassDesk>(server, before.classroom);
+  desk->play(lessonOf(setup), inputs.scenario.file.string());
+  const ClassInvitation& invitation = desk->invitation();
+  fmt::print("class: {} {} teacher {}\n", invitation.address, invitation.word, invitation.pin);
+  std::fflush(stdout);
+  return desk;
+}
+
 /// Rank 0's objects for all games of the session.
 struct LivePlay {
   LivePlay(const SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
@@ -156,9 +180,11 @@ struct LivePlay {
         leader(source, keysOf(options), firstSettings(setup, options, inputs.scenario.file.string(), before),
                devicesOf(setup.realTime ? setup.walls.get() : nullptr, keysOf(options)), options.unattended_s,
                options.scenario.string()),
-        sounds(soundsFor(setup, options.silent || options.noWindow)) {
+        sounds(soundsFor(setup, options.silent || options.noWindow)),
+        classroom(openClass(options, setup, inputs, before)) {
+    if (classroom) leader.teach(*classroom);
     const WrittenGame game = options.resume ? WrittenGame::resumed : WrittenGame::first;
-    journal.keep(openJournal(options.session, game, inputs, setup));
+    journal.keep(openJournal(options, game, inputs, setup));
   }
 
   static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
@@ -168,6 +194,7 @@ struct LivePlay {
   LiveSource source;
   FrameLeader leader;
   std::unique_ptr<Sounds> sounds;
+  std::unique_ptr<ClassDesk> classroom;  // null without --class
   JournalListener journal;
   std::unique_ptr<StatusFile> status;  // null without --status
 };
@@ -213,7 +240,7 @@ bool writeNext(JournalListener& journal, CaveOptions& options, const NextGame& n
   if (!options.session || next.attracts) return false;
   const WrittenGame game =
       std::filesystem::exists(*options.session) ? WrittenGame::another : WrittenGame::first;
-  journal.keep(openJournal(options.session, game, inputs, setup));
+  journal.keep(openJournal(options, game, inputs, setup));
   return true;
 } catch (const std::runtime_error& error) {
   log::error(fmt::format("{}. This game is not written.", error.what()));
@@ -238,6 +265,7 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
     if (!play) return;
     windows.play(setup);
     play->source.playAnew();
+    if (play->classroom) play->classroom->play(lessonOf(setup), file);
     std::optional<std::filesystem::path> session;
     if (writeNext(play->journal, options, next, inputs, setup)) session = options.session;
     if (windows.console) windows.console->writeTo(session);
@@ -260,8 +288,9 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
     frames.context().keyLock = &lock;
     return runFrames(frames.context());
   }
-  const LeaderParts lead{play->source,       play->leader,   windows,
-                         play->sounds.get(), &play->journal, play->status.get()};
+  const LeaderParts lead{play->source,         play->leader,   windows,
+                         play->sounds.get(),   &play->journal, play->status.get(),
+                         play->classroom.get()};
   SessionFrames frames(cluster, setup, *play->pacer, &lead, keys);
   frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());
@@ -330,6 +359,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
   SetupOptions inputs{{options.rig, {}}, {options.scenario, {}},     true,         options.recording,
                       options.noWindow,  options.frames.has_value(), options.extra};
   inputs.byMouse = options.byMouse;
+  inputs.hideRight = options.hideRight;
   inputs.withoutNodes = options.withoutNodes;
   Before before;
   std::unique_ptr<StatusFile> status;

@@ -104,8 +104,8 @@ void SessionFrames::listen(SessionSetup& setup, const LeaderParts& lead, KeysOf 
     listeners.push_back(lead.status);
   }
   if (lead.windows.console) {
-    listeners.push_back(
-        &console_.emplace(*lead.windows.console, setup, statistics_, lead.source, lead.leader, keys));
+    listeners.push_back(&console_.emplace(*lead.windows.console, setup, statistics_, lead.source, lead.leader,
+                                          keys, lead.classroom));
   }
   if (!setup.realTime) listeners.push_back(&progress_.emplace(lead.source));
 }

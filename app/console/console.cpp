@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "app/console/console_class.h"
 #include "app/files/rig_viewers.h"
 #include "cave/texts/texts.h"
 
@@ -40,11 +41,14 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
 }
 
 /// Returns whether the names of all tabs fit in this width.
-bool tabsFitIn(float width_px) {
+bool tabsFitIn(float width_px, bool hasClass) {
   using namespace texts::console;
   const ImGuiStyle& style = ImGui::GetStyle();
   for (const char* tab : {kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab})
     width_px -= ImGui::CalcTextSize(tab).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x + 1.0F;
+  if (hasClass)
+    width_px -=
+        ImGui::CalcTextSize(kClassTab).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x + 1.0F;
   return width_px >= 0.0F;
 }
 
@@ -200,7 +204,7 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
 void Console::drawTabs(const ConsoleFrame& frame) {
   constexpr ImGuiTabBarFlags kListed =
       ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
-  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x);
+  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x, frame.classroom != nullptr);
   if (!ImGui::BeginTabBar("##parts", fits ? ImGuiTabBarFlags_None : kListed)) return;
   const auto tab = [](const char* name, const auto& draw) {
     if (!ImGui::BeginTabItem(name)) return;
@@ -215,6 +219,7 @@ void Console::drawTabs(const ConsoleFrame& frame) {
   tab(texts::console::kEventsTab, [&] { events_.draw(frame.record); });
   tab(texts::console::kDiagramTab, [&] { drawDiagram(frame); });
   tab(texts::console::kRecordingTab, [&] { recording_.draw(frame); });
+  if (frame.classroom) tab(texts::console::kClassTab, [&] { drawClass(frame); });
   ImGui::EndTabBar();
 }
 

@@ -12,15 +12,17 @@ namespace carom {
 
 class ConsoleListener : public FrameListener {
  public:
-  /// Shows frames in `console`. All arguments must outlive this object.
+  /// Shows frames in `console`. `classroom` is null if no class takes part. All arguments must
+  /// outlive this object.
   ConsoleListener(Console& console, const SessionSetup& setup, FrameStatistics& statistics,
-                  const FrameSource& source, FrameLeader& leader, KeysOf keys)
+                  const FrameSource& source, FrameLeader& leader, KeysOf keys, ClassDesk* classroom = nullptr)
       : console_(console),
         setup_(setup),
         statistics_(statistics),
         source_(source),
         leader_(leader),
-        keys_(keys) {}
+        keys_(keys),
+        classroom_(classroom) {}
 
   void shown(const Decision& decision) override;
 
@@ -31,6 +33,7 @@ class ConsoleListener : public FrameListener {
   const FrameSource& source_;
   FrameLeader& leader_;
   KeysOf keys_;
+  ClassDesk* classroom_;
   SourceStatus status_;
   double asked_s_ = -1.0;  ///< session clock: when the source was last asked for its status
 };

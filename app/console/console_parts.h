@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "app/classroom/class_desk.h"
 #include "app/input/key_table.h"
 #include "app/input/keys.h"
 #include "app/operator/command.h"
@@ -28,7 +29,8 @@ struct ConsoleFrame {
   KeysOf keys;
   const OperatorSettings& settings;
   std::optional<Programme::Following> following;  ///< the playlist's next game
-  Commands& commands;  ///< the operator's commands, which take effect with the next frame
+  Commands& commands;              ///< the operator's commands, which take effect with the next frame
+  ClassDesk* classroom = nullptr;  ///< null if no class takes part
 };
 
 namespace console {

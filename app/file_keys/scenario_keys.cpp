@@ -4,6 +4,8 @@
 
 #include "app/file_keys/common_keys.h"
 #include "app/file_keys/lesson_keys.h"
+#include "app/file_keys/task_keys.h"
+#include "cave/frame/hall.h"
 #include "engine/billiard/billiard_setup.h"
 #include "engine/collision/outline.h"
 #include "engine/soft/soft_body.h"
@@ -192,6 +194,16 @@ FileKey pulse() {
            ofSize(2, kAnyNumber, points("path_m", 3, "places on its way, each other than the one before")))});
 }
 
+FileKey lamp() {
+  return ofSize(0, kMostLamps,
+                tables("lamp", "a lamp whose light is followed; the hall's own light is then off",
+                       {required(place("position_m", "the bulb")),
+                        number("on_s", {}, "board time at which it goes on", 0.0),
+                        numbers("colour", 3, kShare, "red, green and blue, linear", {1.0, 1.0, 1.0}),
+                        number("power", {.least = 0.0, .most = 100.0, .above = true},
+                               "in that of one of the hall's usual lamps", 1.0)}));
+}
+
 FileKey caption() {
   return tables("caption",
                 "sentences shown in the room at given times of the observer's own clock since the game began",
@@ -207,15 +219,15 @@ FileKey caption() {
 }  // namespace
 
 const FileKey& scenarioKeys() {
-  static const FileKey keys =
-      table("scenario", "Carom scenario",
-            {text("title", "for people"),
-             flag("choices",
-                  "the front wall offers Play, Lessons and Show me; left out: only where there is a lesson, "
-                  "when it explains",
-                  std::nullopt),
-             required(number("light_speed_m_s", kPositive, "speed of light")), board(), physics(), observer(),
-             tour(), puck(), body(), flash(), caption(), pulse(), lessonKeys(), stroke()});
+  static const FileKey keys = table(
+      "scenario", "Carom scenario",
+      {text("title", "for people"),
+       flag("choices",
+            "the front wall offers Play, Lessons and Show me; left out: only where there is a lesson, "
+            "when it explains",
+            std::nullopt),
+       required(number("light_speed_m_s", kPositive, "speed of light")), board(), physics(), observer(),
+       tour(), puck(), body(), flash(), caption(), pulse(), lamp(), lessonKeys(), stroke(), taskKeys()});
   return keys;
 }
 

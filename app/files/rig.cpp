@@ -7,13 +7,18 @@
 
 namespace carom {
 
-std::vector<Wall> standingWalls(const Rig& rig) {
+std::vector<Wall> drawnWalls(const Rig& rig) {
   std::vector<Wall> walls;
-  if (isHeadset(rig)) return walls;
   for (const Wall& wall : rig.walls) {
-    if (wall.sky) continue;
     for (Wall& flat : flatWallsOf(wall)) walls.push_back(std::move(flat));
   }
+  return walls;
+}
+
+std::vector<Wall> standingWalls(const Rig& rig) {
+  if (isHeadset(rig)) return {};
+  std::vector<Wall> walls = drawnWalls(rig);
+  std::erase_if(walls, [](const Wall& wall) { return wall.sky.has_value(); });
   return walls;
 }
 

@@ -114,7 +114,10 @@ struct Rig {
 /// Returns whether the walls hang on the head.
 inline bool isHeadset(const Rig& rig) { return rig.board.has_value(); }
 
-/// Returns the walls that stand in the room.
+/// Returns the flat walls on which pictures are drawn: a curved screen has several.
+std::vector<Wall> drawnWalls(const Rig& rig);
+
+/// Returns those of them that stand in the room.
 std::vector<Wall> standingWalls(const Rig& rig);
 
 /// Returns the rig's room for the overlays on the walls and the spectator view; in that of a headset stands

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "app/files/findings.h"
+#include "cave/frame/hall.h"
 #include "cave/frame/lesson_plan.h"
+#include "cave/frame/wall_action.h"
 #include "cave/outlines/footprint.h"
 #include "cave/record/lesson_words.h"
 #include "cave/record/time_views.h"
@@ -69,6 +71,25 @@ struct Lesson {
   TimeViews views;  ///< that are on when it begins
 };
 
+/// The world of a task: light that is slow, without relativity; contraction without any delay; all that is
+/// seen.
+enum class TaskWorld : std::uint8_t { newton, measured, seen };
+
+/// What a task asks for (app/play/task_judge.h).
+struct TaskGoal {
+  enum class Kind : std::uint8_t { hit, cushions, hitBoth, looksFaster, clockReads };
+  Kind kind = Kind::hit;
+  std::vector<std::size_t> pucks;  ///< one or two, as the kind needs; indices of the setup's pucks
+  std::size_t cushions = 0;        ///< at least, of `cushions`
+};
+
+struct Task {
+  std::string name, text;
+  TaskGoal goal;
+  TaskWorld world = TaskWorld::seen;
+  std::array<double, 2> stars_j{};  ///< energies of the strokes up to which there are three stars, and two
+};
+
 /// A sentence shown in the room while the observer's proper time in this game is in its interval, with the
 /// time views that belong to it.
 struct Caption {
@@ -89,11 +110,18 @@ struct Scenario {
   bool tourAtOnce = false;         ///< the tour starts with the game; otherwise when requested
   double most_u = kMostPlatformU;  ///< γβ beyond which the drive makes the platform no faster
   std::vector<Pulse> pulses;
-  std::vector<Caption> captions;  ///< in the order of time, without overlap
+  std::vector<FollowedLamp> lamps;  ///< with any, the hall's own light is off
+  std::vector<Caption> captions;    ///< in the order of time, without overlap
   std::optional<Lesson> lesson;
+  std::vector<Task> tasks;   ///< one after the other
   std::vector<Finding> odd;  ///< values that can be played but are unusual
   bool choices = false;      ///< the front wall offers the visitor's choices (cave/record/choice.h)
 };
+
+/// Returns what the game offers on the front wall.
+inline GameOffers offersOf(const Scenario& scenario) {
+  return {scenario.choices, scenario.billiard.board.has_value(), !scenario.tasks.empty()};
+}
 
 /// Reads and checks the whole file. Throws InputErrors (app/files/toml_file.h) with the position of every
 /// fault. Mesh files are searched beside the file, then in the configuration folder.

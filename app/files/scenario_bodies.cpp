@@ -95,7 +95,8 @@ class HistoryText {
       : file_(file.string()), c_m_s_(c_m_s), text_(readText(file, InputKind::trace)) {}
 
   void read() {
-    std::size_t begin = 0;
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";  // of UTF-8, which table programs write
+    std::size_t begin = text_.starts_with(kMark) ? kMark.size() : 0;
     for (line_ = 1; begin < text_.size() && faults_.size() < kMostFindings; ++line_) {
       const std::size_t end = std::min(text_.find('\n', begin), text_.size());
       std::string_view row = std::string_view(text_).substr(begin, end - begin);
@@ -257,17 +258,17 @@ ToldBody toldBody(const BodyText& body, double c_m_s) {
   HistoryText rows(*body.history, c_m_s);
   rows.read();
   const std::size_t vertices = rows.places_m.size() / rows.times_s.size();
-  if (body.mesh) {
-    if (const std::optional<std::size_t> count = objVertices(*body.mesh); count != vertices) {
-      body.table.fault(
-          "mesh",
-          count ? fmt::format("the mesh has {} vertices and the history of '{}' {}, expected as many", *count,
-                              body.name, vertices)
-                : "the mesh is no .obj file, expected one with the vertices of the history in their order");
-    }
-  }
   ToldBody told{body.name, SampledHistory(c_m_s, std::move(rows.times_s), std::move(rows.places_m))};
-  if (body.mesh) told.triangles = objTriangles(*body.mesh, vertices, body.table);
+  if (!body.mesh) return told;
+  if (const std::optional<std::size_t> count = objVertices(*body.mesh); count == vertices) {
+    told.triangles = objTriangles(*body.mesh, vertices, body.table);
+  } else {
+    body.table.fault(
+        "mesh",
+        count ? fmt::format("the mesh has {} vertices and the history of '{}' {}, expected as many", *count,
+                            body.name, vertices)
+              : "the mesh is no .obj file, expected one with the vertices of the history in their order");
+  }
   return told;
 }
 

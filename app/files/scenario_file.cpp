@@ -112,6 +112,11 @@ Pulse readPulse(const TomlTable& table) {
   return pulse;
 }
 
+FollowedLamp readLamp(const TomlTable& table) {
+  return {toVec3(table.numbers<3>("position_m")), table.number("on_s"),
+          glm::vec3(table.number("power") * toVec3(table.numbers<3>("colour")))};
+}
+
 std::vector<Stroke> resolveStrokes(const std::vector<StrokeText>& texts, const std::vector<Puck>& pucks) {
   std::vector<Stroke> strokes;
   std::vector<std::string> names;
@@ -169,6 +174,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     scenario.billiard.flashes.push_back(readFlash(flash, scenario.billiard.flashes.size()));
   const std::vector<TomlTable> pulses = root.tables("pulse");
   for (const TomlTable& pulse : pulses) scenario.pulses.push_back(readPulse(pulse));
+  for (const TomlTable& lamp : root.tables("lamp")) scenario.lamps.push_back(readLamp(lamp));
   const auto tour = root.table("tour");
   if (tour) {
     scenario.tour = readTour(*tour, scenario.billiard.lightSpeed_m_s);
@@ -181,6 +187,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     for (const BodyText& body : bodies) game.bodies.push_back(body.name);
     scenario.lesson = readLesson(*lesson, scenario.title, game);
   }
+  scenario.tasks = readTasks(root, scenario.billiard.pucks);
   scenario.choices = root.flag("choices", scenario.lesson.has_value());
   file.throwFaults();
 

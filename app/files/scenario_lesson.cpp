@@ -67,6 +67,72 @@ TimeViews readViews(const TomlTable& table) {
   return views;
 }
 
+namespace {
+
+/// Returns the puck of this name; records a fault if there is none.
+std::size_t puckNamed(const TomlTable& table, FilePlace place, const std::string& name,
+                      const std::vector<Puck>& pucks) {
+  const auto found = std::ranges::find(pucks, name, &Puck::name);
+  if (found != pucks.end()) return static_cast<std::size_t>(found - pucks.begin());
+  table.fault(place, fmt::format("there is no puck '{}', expected the name of a [[puck]]", name));
+  return 0;
+}
+
+TaskGoal readGoal(const TomlTable& table, const std::vector<Puck>& pucks) {
+  using Kind = TaskGoal::Kind;
+  TaskGoal goal;
+  int goals = 0;
+  for (const std::string_view key : {"hit", "cushions", "hit-both", "looks-faster", "clock-reads"})
+    goals += table.has(key) ? 1 : 0;
+  if (goals != 1) {
+    table.fault(table.place(), fmt::format("the goal has {} keys, expected one of hit, cushions, hit-both, "
+                                           "looks-faster and clock-reads",
+                                           goals));
+  }
+  const auto one = [&](std::string_view key, Kind kind) {
+    if (!table.has(key)) return;
+    goal = {kind, {puckNamed(table, table.place(key), table.text(key), pucks)}, 0};
+  };
+  const auto two = [&](std::string_view key, Kind kind) {
+    if (!table.has(key)) return;
+    goal = {kind, {}, 0};
+    for (const PlacedText& name : table.texts(key))
+      goal.pucks.push_back(puckNamed(table, name.place, name.text, pucks));
+    if (goal.pucks.size() != 2 || goal.pucks[0] == goal.pucks[1])
+      table.fault(key, fmt::format("expected {} = [...] with the names of two pucks", key));
+    goal.pucks.resize(2);
+  };
+  one("hit", Kind::hit);
+  one("looks-faster", Kind::looksFaster);
+  two("hit-both", Kind::hitBoth);
+  two("clock-reads", Kind::clockReads);
+  if (table.has("cushions")) goal = {Kind::cushions, {}, static_cast<std::size_t>(table.integer("cushions"))};
+  return goal;
+}
+
+}  // namespace
+
+std::vector<Task> readTasks(const TomlTable& root, const std::vector<Puck>& pucks) {
+  std::vector<Task> tasks;
+  for (const TomlTable& table : root.tables("task")) {
+    Task task;
+    task.name = readWords(table, "name");
+    task.text = readWords(table, "text");
+    if (const auto goal = table.requiredTable("goal")) task.goal = readGoal(*goal, pucks);
+    task.world = static_cast<TaskWorld>(table.choice("world"));
+    task.stars_j = table.numbers<2>("stars_j");
+    if (task.stars_j[1] < task.stars_j[0]) {
+      table.fault("stars_j", fmt::format("stars_j is [{}, {}], expected the smaller energy first",
+                                         task.stars_j[0], task.stars_j[1]));
+    }
+    const bool isTwice = std::ranges::find(tasks, task.name, &Task::name) != tasks.end();
+    if (isTwice)
+      table.fault("name", fmt::format("there is another task '{}', expected a name of its own", task.name));
+    tasks.push_back(std::move(task));
+  }
+  return tasks;
+}
+
 Lesson readLesson(const TomlTable& table, const std::string& title, const LessonGame& game) {
   Lesson lesson;
   LessonWords& words = lesson.words;

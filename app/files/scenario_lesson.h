@@ -1,5 +1,5 @@
 #pragma once
-// Reads the lesson of a scenario file.
+// Reads the lesson and the tasks of a scenario file.
 
 #include <string>
 #include <string_view>
@@ -15,6 +15,9 @@ std::string readWords(const TomlTable& table, std::string_view key);
 
 /// Reads the key `views`: the names of time views. The others are off.
 TimeViews readViews(const TomlTable& table);
+
+/// Reads the tasks of a game with these pucks.
+std::vector<Task> readTasks(const TomlTable& root, const std::vector<Puck>& pucks);
 
 /// Reads the lesson of a game. `title` is that of the scenario.
 Lesson readLesson(const TomlTable& table, const std::string& title, const LessonGame& game);

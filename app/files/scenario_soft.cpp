@@ -48,6 +48,12 @@ double closing(const Vec2& a, const Vec2& b) {
 void holdSide(const TomlTable& table, bool isPlusX, const std::string& by, std::vector<BodyText>& bodies,
               double c_m_s, Puck& puck) {
   SoftMatter::HeldSide side{isPlusX, {}};
+  for (const SoftMatter::HeldSide& other : puck.soft->held) {
+    if (other.isPlusX != isPlusX) continue;
+    table.fault("side", fmt::format("side '{}' of puck '{}' is held twice, expected one body",
+                                    isPlusX ? "+x" : "-x", puck.name));
+    return;
+  }
   const auto body =
       std::find_if(bodies.begin(), bodies.end(), [&](const BodyText& one) { return one.name == by; });
   if (body == bodies.end()) {
@@ -121,7 +127,7 @@ void holdSides(BilliardSetup& setup, const std::vector<TomlTable>& tables, std::
     for (const TomlTable& side : soft->tables("held")) {
       const bool isPlusX = side.choice("side") == 1;
       const std::string by = side.text("by");
-      if (puck.soft && !puck.outline_m.empty())
+      if (puck.soft && !puck.outline_m.empty() && !by.empty())
         holdSide(side, isPlusX, by, bodies, setup.lightSpeed_m_s, puck);
     }
   }

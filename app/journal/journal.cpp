@@ -181,6 +181,20 @@ void Journal::addAnswer(std::uint64_t frame, const std::string& lesson, const st
   writer_->changed.notify_one();
 }
 
+void Journal::addVote(std::uint64_t frame, const ClassVote& vote) {
+  const std::scoped_lock hold(writer_->mutex);
+  if (writer_->ended) return;
+  writer_->waiting.votes.push_back({frame, vote});
+  writer_->changed.notify_one();
+}
+
+void Journal::addTask(std::uint64_t frame, const TaskNews& news) {
+  const std::scoped_lock hold(writer_->mutex);
+  if (writer_->ended) return;
+  writer_->waiting.tasks.push_back({frame, news});
+  writer_->changed.notify_one();
+}
+
 void Journal::add(std::span<const LatencyRow> rows) {
   const std::scoped_lock hold(writer_->mutex);
   if (writer_->ended) return;

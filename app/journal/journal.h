@@ -55,6 +55,13 @@
 //       Actions of the operator and the hands, in words; they take effect with this frame.
 //   answer(frame, lesson, question, answer, viewer)
 //       Answers of visitors.
+//   vote(frame, round, lesson, question, token, answer, confidence, seconds, reason)
+//       Sessions with a class alone (--class): what a phone's answer was when vote `round` was closed, the
+//       frame of its closing. confidence: 1 to 4, or NULL; seconds from the opening of the vote; token: of
+//       the phone, which names nobody. The phases of the class are in the table input, as "class".
+//   task(frame, task, viewer, event, stars, energy_j)
+//       What happened to tasks: event is begun, failed (nothing came of a stroke) or solved; stars is 1 to 3
+//       where it is solved, else 0; energy_j: of the strokes since it began.
 //   run(first_frame, started_utc, program)
 //       Each time that writing began: the first, and one for each continuation of the session and each
 //       further game.
@@ -120,6 +127,10 @@ class Journal {
                 std::size_t viewer = 0);
   void addAnswer(std::uint64_t frame, const std::string& lesson, const std::string& question,
                  const std::string& answer, std::size_t viewer = 0);
+  /// Adds a vote of a class, of a session whose facts say that it has one.
+  void addVote(std::uint64_t frame, const ClassVote& vote);
+
+  void addTask(std::uint64_t frame, const TaskNews& news);
 
   /// Adds the nodes' frame timing; written with the next frame.
   void add(std::span<const LatencyRow> rows);

@@ -34,6 +34,17 @@ CREATE TABLE latency(display_s REAL, frame INTEGER, node INTEGER, part TEXT, fra
   most_s REAL, jitter_s REAL);
 )";
 
+// The table of a session with a class.
+constexpr const char* kVoteTable = R"(
+CREATE TABLE IF NOT EXISTS vote(frame INTEGER, round INTEGER, lesson TEXT, question TEXT, token TEXT, answer TEXT,
+  confidence INTEGER, seconds REAL, reason TEXT);
+)";
+
+// A file that was begun before there were tasks gets it when it is continued.
+constexpr const char* kTaskTable =
+    "CREATE TABLE IF NOT EXISTS task(frame INTEGER, task TEXT, viewer TEXT, event TEXT, stars INTEGER, "
+    "energy_j REAL)";
+
 std::string utcNow() { return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))); }
 
 void bind(SQLite::Statement& row, int& column, const Vec3& v) {
@@ -70,6 +81,8 @@ void Batch::clear() {
   strokes.clear();
   inputs.clear();
   answers.clear();
+  votes.clear();
+  tasks.clear();
   knots.clear();
   samples.clear();
   latencies.clear();
@@ -121,6 +134,8 @@ void JournalTables::begin(const SessionFacts& facts) {
   viewerRows_.emplace(database_, viewers_);
   headsetRows_.emplace(database_);
   removeEmptyGames(database_);
+  if (facts.hasClass) database_.exec(kVoteTable);
+  database_.exec(kTaskTable);
   if (facts.isAnotherGame) addGame(database_, facts);
   firstEvent_ = firstEventOfNewest(database_);
   const auto events = static_cast<std::uint64_t>(
@@ -158,6 +173,8 @@ void JournalTables::write(const Batch& batch) {
     SQLite::Transaction transaction(database_);
     writeFrames(batch);
     writeInputs(batch);
+    writeVotes(batch);
+    writeTasks(batch);
     writeSamples(batch);
     transaction.commit();
   } catch (...) {
@@ -226,6 +243,20 @@ void JournalTables::writeInputs(const Batch& batch) {
     for (const auto& [frame, a] : batch.answers)
       put(row, frame, a.lesson, a.question, a.answer, viewers_.at(a.viewer));
   }
+}
+
+void JournalTables::writeVotes(const Batch& batch) {
+  if (batch.votes.empty()) return;
+  SQLite::Statement row(database_, "INSERT INTO vote VALUES(?,?,?,?,?,?,nullif(?,0),?,?)");
+  for (const auto& [frame, v] : batch.votes)
+    put(row, frame, v.round, v.lesson, v.question, v.token, v.answer, v.confidence, v.seconds, v.reason);
+}
+
+void JournalTables::writeTasks(const Batch& batch) {
+  if (batch.tasks.empty()) return;
+  SQLite::Statement row(database_, "INSERT INTO task VALUES(?,?,?,?,?,?)");
+  for (const auto& [frame, news] : batch.tasks)
+    put(row, frame, news.task, viewers_.at(news.viewer), news.event, news.stars, news.energy_j);
 }
 
 void JournalTables::writeSamples(const Batch& batch) {

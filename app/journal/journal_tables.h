@@ -54,11 +54,14 @@ struct Batch {
   std::vector<OfFrame<HandStroke>> strokes;
   std::vector<OfFrame<Input>> inputs;
   std::vector<OfFrame<Answer>> answers;
+  std::vector<OfFrame<ClassVote>> votes;
+  std::vector<OfFrame<TaskNews>> tasks;
   std::vector<Sample> samples;
   std::vector<LatencyRow> latencies;
 
   bool empty() const {
-    return frames.empty() && knots.empty() && inputs.empty() && answers.empty() && samples.empty();
+    return frames.empty() && knots.empty() && inputs.empty() && answers.empty() && votes.empty() &&
+           tasks.empty() && samples.empty();
   }
   void clear();
 };
@@ -84,6 +87,8 @@ class JournalTables {
   void writeFrames(const Batch& batch);
   void list(std::span<const GameEvent> brought, std::uint64_t kept);
   void writeInputs(const Batch& batch);
+  void writeVotes(const Batch& batch);
+  void writeTasks(const Batch& batch);
   void writeSamples(const Batch& batch);
   std::string nameOf(std::size_t puck) const;
   SQLite::Statement& statement(std::optional<SQLite::Statement>& kept, const char* sql);

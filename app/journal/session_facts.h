@@ -31,6 +31,7 @@ struct SessionFacts {
   std::vector<std::string> viewers = {"viewer"};  ///< names in the rig's order
   std::vector<std::string> trackers = {};         ///< the same of its trackers; not read back
   std::array<int, 2> eyePixels{};                 ///< of each eye's picture in a headset; 0: there was none
+  bool hasClass = false;                          ///< a class takes part, whose votes are kept; not read back
   bool isAnotherGame = false;  ///< of a file that goes on: a game after those in it; not read back
 };
 

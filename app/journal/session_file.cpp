@@ -270,6 +270,47 @@ std::vector<GivenAnswer> SessionFile::answers() const try {
   refuse(file_, error);
 }
 
+std::vector<CountedVote> SessionFile::votes() const try {
+  std::vector<CountedVote> votes;
+  SQLite::Database& database = tables_->database;
+  if (!database.tableExists("vote")) return votes;
+  SQLite::Statement row(
+      database,
+      "SELECT frame, round, lesson, question, token, answer, coalesce(confidence, 0), seconds, reason, "
+      "(SELECT count(*) FROM game WHERE first_frame <= vote.frame) FROM vote ORDER BY frame, rowid");
+  const auto words = [&row](int column) { return printable(row.getColumn(column).getString()); };
+  while (row.executeStep()) {
+    const auto game = static_cast<std::size_t>(row.getColumn(9).getInt64());
+    if (game < 1 || game > games_.size()) continue;
+    votes.push_back({static_cast<std::uint64_t>(row.getColumn(0).getInt64()), game - 1,
+                     ClassVote{row.getColumn(1).getInt(), words(2), words(3), words(4), words(5),
+                               row.getColumn(6).getInt(), row.getColumn(7).getDouble(), words(8)}});
+  }
+  return votes;
+} catch (const SQLite::Exception& error) {
+  refuse(file_, error);
+}
+
+ClassLeft SessionFile::classLeft() const try {
+  ClassLeft left;
+  SQLite::Statement row(tables_->database,
+                        "SELECT value, (SELECT coalesce(max(frame), 0) FROM input WHERE what = 'class' AND "
+                        "value = 'idle') FROM input WHERE what = 'class' ORDER BY rowid DESC LIMIT 1");
+  if (!row.executeStep()) return left;
+  const std::string phase = row.getColumn(0).getString();
+  const std::size_t space = phase.find(' ');
+  left.phase = phase.substr(0, space);
+  if (space != std::string::npos) left.round = std::atoi(phase.c_str() + space);
+  const auto asked = static_cast<std::uint64_t>(row.getColumn(1).getInt64());
+  for (const CountedVote& counted : votes()) {
+    left.tokens.push_back(counted.vote.token);
+    if (counted.frame >= asked) left.votes.push_back(counted.vote);
+  }
+  return left;
+} catch (const SQLite::Exception& error) {
+  refuse(file_, error);
+}
+
 bool SessionFile::next(FrameState& state) try {
   const std::optional<std::uint64_t> number = tables_->frames->step();
   if (!number) return false;

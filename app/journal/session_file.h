@@ -27,6 +27,13 @@ struct GivenAnswer {
       1;  ///< which visitors of the session, counted from 1: the next ones were welcomed meanwhile
 };
 
+/// A vote of a class that counted.
+struct CountedVote {
+  std::uint64_t frame = 0;  ///< in which it was closed
+  std::size_t game = 0;     ///< in which, its place in SessionFile::games
+  ClassVote vote;
+};
+
 /// One game of a recorded session, frame by frame. May be opened while the session is still being written.
 class SessionFile {
  public:
@@ -65,6 +72,11 @@ class SessionFile {
 
   /// Returns the answers that were given in all games of the session, in the order of the frames.
   std::vector<GivenAnswer> answers() const;
+
+  /// Returns the votes of classes that counted, in all games, in the order of the frames.
+  std::vector<CountedVote> votes() const;
+  /// Returns where the class was at the end of the session.
+  ClassLeft classLeft() const;
 
   /// Reads the next frame in the order of their numbers, with its knots. Returns false after the last. Throws
   /// std::runtime_error with file and frame if the file is damaged there.

@@ -76,6 +76,12 @@ struct Apply {
   bool operator()(const StartTour&) { return true; }
   bool operator()(const PlayScenario& c) { return !c.file.empty(); }
   bool operator()(const WelcomeNextVisitor&) { return true; }
+  bool operator()(const KeepTaskBest& c) {
+    std::vector<double>& best_j = settings.bestOfTask_j;
+    best_j.resize(std::max(best_j.size(), c.task + 1));
+    if (best_j[c.task] > 0.0 && best_j[c.task] <= c.energy_j) return false;
+    return set(best_j[c.task], c.energy_j);
+  }
   bool operator()(const ShowBestShot&) { return true; }
   bool operator()(const TellPerson&) { return true; }
   bool operator()(const Pause& c) { return set(settings.playback.paused, c.on); }
@@ -99,6 +105,7 @@ struct NameOf {
   std::string operator()(const StartTour&) { return "tour"; }
   std::string operator()(const PlayScenario&) { return "scenario"; }
   std::string operator()(const WelcomeNextVisitor&) { return "visitor"; }
+  std::string operator()(const KeepTaskBest&) { return "best of task"; }
   std::string operator()(const ShowBestShot&) { return "best shot"; }
   std::string operator()(const TellPerson&) { return "refused"; }
   std::string operator()(const Pause&) { return "playback"; }
@@ -125,6 +132,9 @@ struct ValueOf {
   std::string operator()(const StartTour&) { return "asked for"; }
   std::string operator()(const PlayScenario& c) { return c.file; }
   std::string operator()(const WelcomeNextVisitor&) { return "the next one"; }
+  std::string operator()(const KeepTaskBest& c) {
+    return fmt::format("{}: {:.3g} J", c.task + 1, c.energy_j);
+  }
   std::string operator()(const ShowBestShot&) { return "asked for"; }
   std::string operator()(const TellPerson& c) { return c.words; }
   std::string operator()(const Pause& c) { return c.on ? "paused" : "goes on"; }

@@ -71,11 +71,18 @@ struct PlayScenario {
       false;  ///< a choice of the visitor: the same game, too, begins with all settings as at its start
   std::string
       recordTo{};  ///< session file that this game and those after it are written to; empty: as before
+  std::optional<std::size_t> task{};  ///< with which of its tasks it begins; empty: the same, or the first
   bool operator==(const PlayScenario&) const = default;
 };
 /// Starts the session's first game anew, with every setting as the session began: for the next visitor.
 struct WelcomeNextVisitor {
   bool operator==(const WelcomeNextVisitor&) const = default;
+};
+/// Keeps the energy with which a task was done, if it is the least so far.
+struct KeepTaskBest {
+  std::size_t task;
+  double energy_j;
+  bool operator==(const KeepTaskBest&) const = default;
 };
 /// Shows the visitor's best shot again, as they saw it.
 struct ShowBestShot {
@@ -103,7 +110,7 @@ struct Seek {
 using Command =
     std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, ShowConsole, SetEyeSeparation,
                  SetLightSpeed, ChooseInLesson, AdvanceLesson, StartTour, PlayScenario, WelcomeNextVisitor,
-                 ShowBestShot, TellPerson, Pause, SetRate, Seek>;
+                 KeepTaskBest, ShowBestShot, TellPerson, Pause, SetRate, Seek>;
 using Commands = std::vector<Command>;
 
 /// Applies the command to the settings. Returns false if nothing changes: the setting has that value already,

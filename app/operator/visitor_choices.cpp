@@ -60,4 +60,16 @@ Command commandOf(Choice choice, const OperatorSettings& settings) {
   return afresh(show);
 }
 
+Command beginTasks(const OperatorSettings& settings) {
+  const std::string tasks = fileOfGame(kTasks);
+  const Playlist* const playlist = settings.playlist.get();
+  if (playlist && numberOf(*playlist, tasks) == playlist->games.size())
+    return TellPerson{texts::message::kNoTasks};
+  return PlayScenario{tasks, true};
+}
+
+Command nextTask(const OperatorSettings& settings) {
+  return PlayScenario{settings.playing, false, {}, settings.task + 1};
+}
+
 }  // namespace carom

@@ -11,7 +11,7 @@
 
 namespace carom {
 
-inline constexpr std::string_view kWelcome = "welcome", kShowMe = "show-me";
+inline constexpr std::string_view kWelcome = "welcome", kShowMe = "show-me", kTasks = "tasks";
 inline constexpr std::array<std::string_view, 21> kLessons{
     "comes-and-goes",    "seen-at-once",    "seen-length",   "parallel-tracks", "same-laws",
     "two-cushions",      "bar-meets-bar",   "cause",         "light-clock",     "twins",
@@ -33,5 +33,11 @@ std::string lessonAfter(const std::string& file);
 /// playlist, only its games are played: its first one, and its lessons in their order; what it does not have
 /// is told to the person.
 Command commandOf(Choice choice, const OperatorSettings& settings);
+
+/// Returns the command that begins the shipped tasks, or tells the person that a playlist has none.
+Command beginTasks(const OperatorSettings& settings);
+
+/// Returns the command that goes on to the next task of the game, after the last one to the first.
+Command nextTask(const OperatorSettings& settings);
 
 }  // namespace carom

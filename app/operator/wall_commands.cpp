@@ -19,6 +19,10 @@ std::optional<Command> commandOf(const WallAction& action, const OperatorSetting
       return PlayScenario{settings.playing};
     case WallAction::Kind::unfreeze:
       return SetView{&TimeViews::frozen, false};
+    case WallAction::Kind::tasks:
+      return beginTasks(settings);
+    case WallAction::Kind::nextTask:
+      return nextTask(settings);
     case WallAction::Kind::keys:
       return ShowKeys{!settings.keysShown};
   }

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "cave/frame/bodies.h"
 #include "cave/scene/scene.h"
 #include "cave/texts/texts.h"
 #include "engine/base/log.h"
+#include "engine/light/light_path.h"
 
 namespace carom {
 
@@ -43,10 +45,12 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
   ViewerState& own = record.viewers[viewer];
   const SeenFrame seen(record, viewer);
   PickResult pointed;
+  const std::optional<std::size_t> ringed = std::exchange(ringed_, {});
   if (!hand.device.empty()) {
     game.playTo(latestObservation_s(own.observer));  // as far as the eyes see
     pointed = aim_.at({hand.from_m, hand.along}, game.pucks(), {own.observer, hand.eye, record.switches},
                       record.boardFromRoom);
+    if (!pointed.puck && ringed && isInRing(*ringed, hand, game, seen)) pointed.puck = ringed;
   }
   const bool held = cue_.target().has_value();
   const Cue::Outcome cue = cue_.step(hand, pointed, still);
@@ -59,9 +63,22 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
   return {{}, {}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
 }
 
+/// Returns whether the hand points into the ring around a puck as it is seen.
+bool CueInteraction::isInRing(std::size_t puck, const HandInput& hand, const Game& game,
+                              const SeenFrame& seen) {
+  constexpr double kBeside_m = 0.02;
+  const Vec3 way_m =
+      aim_.seenInRoom_m(game.pucks()[puck], {seen.self.observer, hand.eye, seen.record.switches}) -
+      hand.from_m;
+  const double along_m = glm::dot(way_m, hand.along);
+  const double ring_m = std::max(kRing_m, scenario_->billiard.pucks[puck].radius_m + kBeside_m);
+  return along_m > 0.0 && glm::length(way_m - along_m * hand.along) < ring_m;
+}
+
 void CueInteraction::offer(std::size_t puck, const Game& game, FrameRecord& record, std::size_t viewer) {
   const ObserverView& observer = record.viewers[viewer].observer;
   HandView& hand = record.viewers[viewer].hand;
+  ringed_ = puck;
   if (hand.target != 0) return;
   hand.target = kRestingBody + 1 + puck;
   hand.target_m = aim_.seenInRoom_m(game.pucks()[puck], {observer, Eye::middle, record.switches});
@@ -115,10 +132,14 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
   try {
     const Event arrival = game.strike(stroke);
     const double pace = seen.record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
-    const double after_s = (seen.record.boardFromRoom.inverse() * (arrival - from)).dt_s / pace;
+    const auto passes_s = [&](const Event& begin, const Event& end) {
+      return (seen.record.boardFromRoom.inverse() * (end - begin)).dt_s / pace;
+    };
+    const Event back = lightMeets(arrival, seen.self.observer.middle.observation,
+                                  betaFromU(seen.self.observer.headFromBoard.inverse().u()), c_m_s);
     return {stroke, arrival.t_s,
-            fmt::format(texts::message::kStroke, target.name, glm::length(stroke.momentum_kg_m_s),
-                        sideText(stroke.offset_m), costOf(glm::length(u)), after_s)};
+            fmt::format(texts::message::kStroke, target.name, passes_s(from, arrival),
+                        passes_s(arrival, back), sideText(stroke.offset_m))};
   } catch (const std::invalid_argument& error) {
     log::note(error.what());
     return {{}, {}, fmt::format(texts::message::kOutOfReach, target.name)};

@@ -21,6 +21,9 @@ Event handEvent(const Vec3& handInRoom_m, const SeenFrame& seen);
 
 class CueInteraction {
  public:
+  static constexpr double kRing_m =
+      0.12;  ///< least radius of the ring, as it is drawn (cave/overlay/cue_overlay.h)
+
   /// `scenario` must outlive this object.
   explicit CueInteraction(const Scenario& scenario) : scenario_(&scenario) {}
 
@@ -35,19 +38,22 @@ class CueInteraction {
   /// strikes the puck when a stroke is released. `still` means that the viewer's time is frozen.
   Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record, std::size_t viewer = 0);
 
-  /// Rings a puck that the viewer may strike, in the record, unless the hand points to one.
+  /// Rings a puck that the viewer may strike, in the record, unless the hand points to one. In the next frame
+  /// a press anywhere within the ring takes it.
   void offer(std::size_t puck, const Game& game, FrameRecord& record, std::size_t viewer = 0);
 
  private:
   /// Returns how far to the right of the target's centre a stroke of `u` strikes; 0 where the target is round
   /// and all rims are smooth, so that a spin would show nowhere.
   double offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const;
+  bool isInRing(std::size_t puck, const HandInput& hand, const Game& game, const SeenFrame& seen);
   HandView viewOf(const HandInput& hand, const PickResult& pointed, const Game& game, const SeenFrame& seen);
   Outcome strike(std::size_t puck, const HandInput& hand, Game& game, const SeenFrame& seen) const;
 
   const Scenario* scenario_;
   RayPicking aim_;
   Cue cue_;
+  std::optional<std::size_t> ringed_;  ///< in the frame before
   Vec3 aside_m_{0.0};  ///< where the hand pointed when it took the target, from its centre; room
 };
 

@@ -40,6 +40,7 @@ Announcements::Announcements(const Rig& rig, const Scenario& scenario,
 
 void Announcements::play() {
   messages_ = {};
+  kept_.clear();
   captions_ = 0;
   saidWhyStill_ = false;
   effects_.reset();
@@ -125,6 +126,8 @@ void Announcements::putInto(Decision& decision) {
   say(std::exchange(pending_, {}), decision);
   for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer)
     record.viewers[viewer].notice = messages_[viewer].at(record.display_s);
+  for (ViewerState& viewer : record.present())
+    if (viewer.notice.words().empty()) viewer.notice = Notice(kept_);
   const double own_s = record.viewers.front().observer.properTime_s;
   beginCaptions(own_s, decision);
   if (captions_ == 0) return;

@@ -38,6 +38,9 @@ class Announcements {
   /// Does the same for one viewer alone.
   void sayTo(std::size_t viewer, std::string_view words, Decision& decision);
 
+  /// Keeps these words on the walls while there is nothing else to say: a task. Until another game begins.
+  void keep(const std::string& words) { kept_ = words; }
+
   /// Says which effects have just been turned on or off. They change with the next frame: before a picture
   /// with other effects is drawn for the first time, shaders are compiled, which may take seconds, and the
   /// message explains them.
@@ -73,6 +76,7 @@ class Announcements {
   std::vector<Wall> standing_;                             ///< the walls that can be left behind
   std::vector<RoomBoundary> boundaries_;                   ///< of each viewer
   std::array<StatusMessage, kMostViewers> messages_;       ///< of each viewer
+  std::string kept_;                                       ///< words that stand while there are no others
   std::string pending_;                                    ///< message still to be shown
   std::size_t captions_ = 0;                               ///< that have begun
   bool saidWhyStill_ = false;                              ///< why steering does nothing was said

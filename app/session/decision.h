@@ -45,7 +45,9 @@ struct Decision {
   std::vector<Note> inputs;                      ///< commands that take effect with this frame
   std::vector<Note> notes;                       ///< other events: the drive's mode, messages in the room
   std::vector<LessonAnswer> answers;             ///< answers to a lesson's question
+  std::vector<ClassVote> votes;                  ///< of phones, in a vote that was closed
   std::vector<HandStroke> strokes;               ///< strokes made by hand
+  std::vector<TaskNews> tasks;                   ///< what happened to the task
   std::array<HeadEstimate, kMostViewers> heads;  ///< of each viewer; live sessions only
   /// The head trackers' samples for this frame, valid until the next decision; live sessions only.
   std::vector<TrackerSamples> samples;
@@ -62,7 +64,9 @@ struct Decision {
     inputs.clear();
     notes.clear();
     answers.clear();
+    votes.clear();
     strokes.clear();
+    tasks.clear();
     alarms.clear();
     commands.clear();
     handCommands.clear();

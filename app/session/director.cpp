@@ -40,7 +40,7 @@ void FrameLeader::applyCommand(const Command& given, Decision& decision, std::si
   log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
   if (const auto* play = std::get_if<PlayScenario>(&command))
-    choose({play->file, false, false, play->afresh, play->recordTo});
+    choose({play->file, false, false, play->afresh, play->task, play->recordTo});
   if (std::holds_alternative<WelcomeNextVisitor>(command)) choose({firstGame_, true});
 }
 
@@ -93,6 +93,15 @@ void FrameLeader::askWhetherStillThere(Decision& decision) const {
   for (ViewerState& viewer : record.present()) viewer.notice = asks;
 }
 
+/// Shows the class on the walls, and hands its votes to the journal.
+void FrameLeader::followClass(Decision& decision) {
+  if (!classroom_) return;
+  classroom_->follow(settings_.lesson);
+  classroom_->takeVotes(decision.votes);
+  for (const std::string& phase : classroom_->takePhases()) decision.notes.push_back({"class", phase});
+  decision.frame.record.classroom = classroom_->view();
+}
+
 /// Ends this game if another was chosen: the walls go dark, after the best shot if the other follows by
 /// itself.
 void FrameLeader::endGame(Decision& decision) {
@@ -111,6 +120,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const bool choosing = offersChoices(settings_);
   decision.beginFrame();
   applied_.clear();
+  if (classroom_) classroom_->command(settings_, inbox_);
   const bool acted = inbox_.size() > fromSource_ || !input.keys.empty();
   for (const Command& command : inbox_) applyCommand(command, decision);
   inbox_.clear();
@@ -120,6 +130,7 @@ void FrameLeader::decide(const FrameTimes& times, const WindowInput& input, Deci
   const DeskInput desk = desk_ ? desk_(input, choosing) : DeskInput{};
   if (const auto command = lessonCommand(desk.answer, desk.onwards)) applyCommand(*command, decision);
   source_.next(times, {applied_, desk}, settings_, decision);
+  followClass(decision);
   if (isLive(keys_)) followProgramme(acted, desk, decision);
   inbox_.insert(inbox_.end(), decision.commands.begin(), decision.commands.end());
   fromSource_ = decision.commands.size();

@@ -1,6 +1,7 @@
 #pragma once
 // The directors decide what each frame shows.
 
+#include "app/classroom/class_desk.h"
 #include "app/input/desk_controls.h"
 #include "app/input/keys.h"
 #include "app/session/frame_source.h"
@@ -35,6 +36,9 @@ class FrameLeader : public Director {
 
   void decide(const FrameTimes& times, const WindowInput& input, Decision& decision) override;
 
+  /// Lets a class take part from now on: its teacher moves the lesson. It must outlive this object.
+  void teach(ClassDesk& classroom) { classroom_ = &classroom; }
+
   /// Returns the commands to apply with the next frame; callers add theirs here.
   Commands& inbox() { return inbox_; }
 
@@ -61,11 +65,13 @@ class FrameLeader : public Director {
  private:
   void applyCommand(const Command& given, Decision& decision, std::size_t viewer = 0);
   void followProgramme(bool acted, const DeskInput& desk, Decision& decision);
+  void followClass(Decision& decision);
   void askWhetherStillThere(Decision& decision) const;
   void choose(NextGame next);
   void endGame(Decision& decision);
 
   FrameSource& source_;
+  ClassDesk* classroom_ = nullptr;  ///< null: there is none
   KeysOf keys_;
   DeskDevices desk_;  ///< kept between games, so that held buttons and keys stay held
   Commands inbox_, applied_;

@@ -3,11 +3,22 @@
 #include "app/files/config_folder.h"
 #include "app/operator/lesson.h"
 #include "app/operator/visitor_choices.h"
+#include "app/play/task_judge.h"
 
 namespace carom {
 namespace {
 
 bool isLesson(const Scenario& scenario) { return scenario.lesson.has_value(); }
+
+/// Sets up the task with which a game begins: its number, the effects of its world, and the clocks where it
+/// is about them.
+void beginTask(const Scenario& scenario, std::size_t number, OperatorSettings& settings) {
+  settings.task = number < scenario.tasks.size() ? number : 0;
+  if (scenario.tasks.empty()) return;
+  const Task& task = scenario.tasks[settings.task];
+  settings.switches = switchesOf(task.world, settings.switches);
+  settings.views.clocks = task.goal.kind == TaskGoal::Kind::clockReads ? 1 : 0;
+}
 
 }  // namespace
 
@@ -28,6 +39,7 @@ OperatorSettings settingsOf(const Rig& rig, const Scenario& scenario, const std:
   beginLesson(scenario, beginning.asks, settings);
   if (beginning.lesson && scenario.lesson) settings.lesson.phase = *beginning.lesson;
   explainInMotion(settings);
+  beginTask(scenario, 0, settings);
   settings.playing = file;
   if (isLesson(scenario)) settings.lastLesson = file;
   return settings;
@@ -37,6 +49,7 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& 
                                 const Scenario& scenario, const Beginning& beginning) {
   OperatorSettings settings = settingsOf(rig, scenario, next.file, beginning);
   settings.console = before.console;
+  settings.bestOfTask_j = before.bestOfTask_j;
   if (next.isForNextVisitor || next.attracts) return settings;
   settings.eyeSeparation_m = before.eyeSeparation_m;
   settings.walls = before.walls;
@@ -51,6 +64,7 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& 
     settings.lesson = before.lesson;
     settings.lessonObserver = before.lessonObserver;
   }
+  beginTask(scenario, next.task.value_or(before.task), settings);
   return settings;
 }
 

@@ -6,7 +6,7 @@
 namespace carom {
 
 Players::Players(const Scenario& scenario, const std::optional<FrameRecord>& before)
-    : scenario_(&scenario), cues_(kMostViewers, CueInteraction(scenario)) {
+    : scenario_(&scenario), cues_(kMostViewers, CueInteraction(scenario)), tasks_(scenario) {
   if (before) match_ = Match(*before);
 }
 
@@ -70,9 +70,12 @@ void Players::struck(std::size_t viewer, const CueInteraction::Outcome& outcome,
   hit_.struck(outcome.stroke->puck, outcome.arrives_s);
   striker_ = viewer;
   shots_.struck();
+  tasks_.struck(viewer, *outcome.stroke, outcome.arrives_s);
 }
 
-void Players::see(std::span<const GameEvent> events, Announcements& announcements, Decision& decision) {
+void Players::see(const World& world, const OperatorSettings& settings, Announcements& announcements,
+                  Decision& decision) {
+  const std::span<const GameEvent> events = world.events;
   FrameRecord& record = decision.frame.record;
   shots_.see({record.viewers[striker_].observer, record.boardFromRoom, record.display_s});
   if (const auto seen = hit_.look(events, record); seen && seen->size() > 1)
@@ -85,6 +88,7 @@ void Players::see(std::span<const GameEvent> events, Announcements& announcement
     announcements.tellCarom(viewer, *cushions, decision);
   }
   match_.putInto(record);
+  tasks_.look(settings, world, announcements, decision);
 }
 
 }  // namespace carom

@@ -17,6 +17,7 @@
 #include "app/session/announcements.h"
 #include "app/session/decision.h"
 #include "app/session/player_inputs.h"
+#include "app/session/task_run.h"
 
 namespace carom {
 
@@ -46,8 +47,9 @@ class Players {
            Announcements& announcements, Decision& decision);
 
   /// Looks at what each viewer sees of the events in a frame in which time passes: counts a carom when the
-  /// one who struck sees it, and says so; tells who saw a hit first.
-  void see(std::span<const GameEvent> events, Announcements& announcements, Decision& decision);
+  /// one who struck sees it, and says so; tells who saw a hit first; judges the task.
+  void see(const World& world, const OperatorSettings& settings, Announcements& announcements,
+           Decision& decision);
 
   /// Returns the earliest view that may be shown again, or that of the one who struck last.
   const ObserverView& earliest(const FrameRecord& record) {
@@ -68,6 +70,7 @@ class Players {
   std::size_t striker_ = 0;  ///< the viewer who struck last, whose shot is kept
   ShotMemory shots_;
   ShotReplay replay_;
+  TaskRun tasks_;
   std::size_t answeredBy_ = 0;
 };
 

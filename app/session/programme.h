@@ -14,11 +14,12 @@ namespace carom {
 
 /// The game to play after this one.
 struct NextGame {
-  std::string file;               ///< scenario; empty: none was requested
-  bool isForNextVisitor = false;  ///< all settings are as the session began
-  bool attracts = false;          ///< the room is empty: it is not recorded
-  bool afresh = false;            ///< it begins with its own settings, even if it is the same game
-  std::string recordTo{};         ///< session file from now on; empty: as before
+  std::string file;                   ///< scenario; empty: none was requested
+  bool isForNextVisitor = false;      ///< all settings are as the session began
+  bool attracts = false;              ///< the room is empty: it is not recorded
+  bool afresh = false;                ///< it begins with its own settings, even if it is the same game
+  std::optional<std::size_t> task{};  ///< with which of its tasks it begins; empty: the same, or the first
+  std::string recordTo{};             ///< session file from now on; empty: as before
 };
 
 /// What a frame tells of the visitor.

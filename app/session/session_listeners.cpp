@@ -27,6 +27,8 @@ void JournalListener::shown(const Decision& decision) {
   for (const LessonAnswer& answer : decision.answers) {
     journal_->addAnswer(number, answer.lesson, answer.question, answer.answer, answer.viewer);
   }
+  for (const ClassVote& vote : decision.votes) journal_->addVote(number, vote);
+  for (const TaskNews& news : decision.tasks) journal_->addTask(number, news);
   for (const Note& note : decision.notes) journal_->addInput(number, note.what, note.value, note.viewer);
   if (statistics_) journal_->add(statistics_->rows());
   journal_->add(decision.frame, decision.heads, decision.samples, decision.strokes);

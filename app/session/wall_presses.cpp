@@ -21,8 +21,7 @@ WallPresses::WallPresses(const RoomGeometry& room) : room_(room), front_(frontWa
 void WallPresses::play(const Scenario& scenario) {
   const Lesson lesson = scenario.lesson.value_or(Lesson{});
   text_.setLesson(lesson.words, lesson.plan);
-  offersChoices_ = scenario.choices;
-  hasTable_ = scenario.billiard.board.has_value();
+  offers_ = offersOf(scenario);
   band_.clear();
   buttons_.clear();
   chosen_.reset();
@@ -36,7 +35,7 @@ void WallPresses::follow(const SeenFrame& shown) {
   }
   before_.swap(buttons_);
   buttons_.assign(band_.begin(), band_.end());
-  addTiles(*front_, shown, offeredIn(room_, shown, offersChoices_, hasTable_), buttons_);
+  addTiles(*front_, shown, offeredIn(room_, shown, offers_), buttons_);
   const bool isSame =
       std::equal(buttons_.begin(), buttons_.end(), before_.begin(), before_.end(),
                  [](const WallButton& now, const WallButton& before) { return now.action == before.action; });

@@ -37,7 +37,7 @@ class WallPresses {
   RoomGeometry room_;
   std::optional<Wall> front_;
   HudText text_;
-  bool offersChoices_ = false, hasTable_ = false;
+  GameOffers offers_;
   std::vector<WallButton> band_, buttons_, before_;  ///< the band's; all; all in the frame before
   std::optional<std::size_t> chosen_;                ///< by the gamepad
 };

@@ -85,7 +85,7 @@ Tessellation tessellationFor(const Rig& rig, bool inSoftware) {
   // Eight views of half a million vertices take a few milliseconds on a GPU, and a second on two CPU cores.
   constexpr std::size_t kMostOnCard = 500000;
   Tessellation tessellation;
-  tessellation.pixel_rad = finestPixel_rad(rig.walls, rig.axes.up * kStandingEyes_m);
+  tessellation.pixel_rad = finestPixel_rad(drawnWalls(rig), rig.axes.up * kStandingEyes_m);
   if (!inSoftware) tessellation.mostVertices = kMostOnCard;
   return tessellation;
 }
@@ -103,6 +103,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
     told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}, {}, body.isDrawn});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
+  hall.lamps = scenario.lamps;
   Scene scene = buildScene(scenario.billiard, pucks, told, hall, tessellation);
   for (std::size_t i = 0; i < scenario.told.size(); ++i) {
     const ToldBody& body = scenario.told[i];

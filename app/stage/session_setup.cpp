@@ -71,9 +71,13 @@ void putMouseInPlaceOfTrackers(Rig& rig) {
   }
 }
 
-/// Makes the drive no faster than the game and the room allow.
-void limitDrive(SessionSetup& setup) {
+/// Makes the game what this session wants: the drive no faster than the room allows, too, and a lesson's
+/// right answer hidden.
+void adaptGame(SessionSetup& setup) {
   setup.scenario.most_u = std::min(setup.scenario.most_u, setup.rig.comfort.most_u);
+  if (!setup.hideRight || !setup.scenario.lesson) return;
+  LessonWords& words = setup.scenario.lesson->words;
+  words.right = words.answers.size();
 }
 
 /// Builds the scenario's scene on every rank. Rank 0 bakes its light and hands it to those with the same
@@ -97,8 +101,7 @@ void buildLitScene(const Cluster& cluster, SessionSetup& setup) {
 void setTexts(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
   const Lesson lesson = scenario.lesson.value_or(Lesson{});
   walls.overlays().setLesson(lesson.words, lesson.plan);
-  walls.overlays().setChoices(scenario.choices);
-  walls.overlays().setTable(scenario.billiard.board.has_value());
+  walls.overlays().setOffers(offersOf(scenario));
   const std::optional<Wall> front = frontWall(roomGeometryOf(rig));
   if (!scenario.lesson || cluster.rank() > 0 || !front) return;
   if (bandHolds(lesson.words, lesson.plan, *front)) return;
@@ -138,7 +141,8 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   if (options.sky) onAllRanks(cluster, [&] { setup.rig = withSky(std::move(setup.rig), *options.sky); });
   if (options.byMouse) onAllRanks(cluster, [&] { putMouseInPlaceOfTrackers(setup.rig); });
   setup.scenario = files.scenario(options.scenario);
-  limitDrive(setup);
+  setup.hideRight = options.hideRight;
+  adaptGame(setup);
   onAllRanks(cluster, [&] {
     if (options.live && cluster.rank() == 0) openTraces(setup.rig);
   });
@@ -190,7 +194,7 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path
   Handover files(cluster);
   try {
     setup.scenario = files.scenario({file, {}});
-    limitDrive(setup);
+    adaptGame(setup);
   } catch (const RankFailed&) {
     return false;  // the error has been logged
   }

@@ -36,12 +36,14 @@ struct SetupOptions {
   glm::ivec2 eye_px{
       0};  ///< of a headset that is not there, in a replay: of its recorded pictures; 0: unknown
   std::optional<SkyPicture> sky{};  ///< drawn in the place of the rig's walls
+  bool hideRight = false;           ///< lessons do not tell the right answer
   bool byMouse = false;  ///< mouse and keys move heads and wands in the place of the rig's trackers
 };
 
 struct SessionSetup {
   Rig rig;
   Scenario scenario;
+  bool hideRight = false;  ///< as in the options, for later games, too
   std::unique_ptr<Graphics> graphics;
   DeskWindows desk;  ///< rank 0 only: where the windows besides the walls' open
   /// The names under which the places of the walls' windows are remembered; empty in simulated time.

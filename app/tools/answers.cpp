@@ -71,7 +71,64 @@ std::string tableOf(const std::vector<AnswerRow>& rows) {
   return text;
 }
 
+/// Returns the votes of each question, answer by answer. With too few votes a distribution would tell what
+/// single students answered.
+std::string tableOf(const std::vector<VotedQuestion>& questions) {
+  constexpr std::size_t kLeast = 5;
+  std::string text;
+  for (const VotedQuestion& question : questions) {
+    text += fmt::format("{}\n  {}\n  vote 1  vote 2\n", question.lesson, question.question);
+    for (const VotedQuestion::Answer& answer : question.answers) {
+      const auto count = [&](std::size_t vote) {
+        return question.all[vote] < kLeast ? std::string("-") : std::to_string(answer.count[vote]);
+      };
+      text += fmt::format("  {:>6}  {:>6}  {:<6} {}\n", count(0), count(1),
+                          answer.isRight ? (*answer.isRight ? "right" : "wrong") : "", answer.words);
+    }
+    text += fmt::format("  phones that voted: {}, then {}\n\n", question.all[0], question.all[1]);
+  }
+  return text;
+}
+
+/// Returns the question of the list with these words, added to it if it is new, with the answers of its
+/// lesson.
+VotedQuestion& questionIn(std::vector<VotedQuestion>& questions, const ClassVote& vote,
+                          const SessionGame& game) {
+  const auto known = std::find_if(questions.begin(), questions.end(), [&](const VotedQuestion& one) {
+    return one.lesson == vote.lesson && one.question == vote.question;
+  });
+  if (known != questions.end()) return *known;
+  VotedQuestion& added = questions.emplace_back();
+  added.lesson = vote.lesson;
+  added.question = vote.question;
+  const std::optional<Lesson> lesson = readScenario(game.scenario, game.scenarioText).lesson;
+  if (!lesson || lesson->words.question != vote.question) return added;
+  for (const std::string& answer : lesson->words.answers)
+    added.answers.push_back({answer, isRight(lesson, answer)});
+  return added;
+}
+
 }  // namespace
+
+std::vector<VotedQuestion> votesOf(const std::vector<std::filesystem::path>& files) {
+  std::vector<VotedQuestion> questions;
+  for (const std::filesystem::path& file : files) {
+    const SessionFile session(file);
+    for (const CountedVote& counted : session.votes()) {
+      const ClassVote& vote = counted.vote;
+      if (vote.round < 1 || vote.round > 2) continue;
+      VotedQuestion& question = questionIn(questions, vote, session.games()[counted.game]);
+      const auto round = static_cast<std::size_t>(vote.round - 1);
+      auto answer = std::find_if(question.answers.begin(), question.answers.end(),
+                                 [&](const VotedQuestion::Answer& one) { return one.words == vote.answer; });
+      if (answer == question.answers.end())
+        answer = question.answers.insert(question.answers.end(), {vote.answer, std::nullopt});
+      ++answer->count[round];
+      ++question.all[round];
+    }
+  }
+  return questions;
+}
 
 std::vector<AnswerRow> answersOf(const std::vector<std::filesystem::path>& files) {
   std::vector<AnswerRow> rows;
@@ -100,9 +157,10 @@ void addAnswers(CLI::App& app, int& status) {
     std::vector<std::filesystem::path> files;
     std::optional<std::filesystem::path> csv;
   };
-  CLI::App* command = app.add_subcommand(
-      "answers",
-      "List what visitors answered to the questions of lessons: right or wrong, which attempt, how soon");
+  CLI::App* command = app.add_subcommand("answers",
+                                         "List what visitors answered to the questions of lessons: right or "
+                                         "wrong, which attempt, how soon; and how "
+                                         "a class voted by phone, before and after it discussed");
   const auto line = std::make_shared<Line>();
   command->add_option("FILE", line->files, "Session files")->required();
   command
@@ -116,7 +174,9 @@ void addAnswers(CLI::App& app, int& status) {
   command->callback([line, &status] {
     const std::vector<AnswerRow> rows = answersOf(line->files);
     WholeFile out(line->csv.value_or("-"));
-    out.commit(line->csv ? csvOf(rows) : tableOf(rows));
+    const std::vector<VotedQuestion> votes = votesOf(line->files);
+    const std::string visitors = rows.empty() && !votes.empty() ? "" : tableOf(rows);
+    out.commit(line->csv ? csvOf(rows) : visitors + tableOf(votes));
     status = 0;
   });
 }

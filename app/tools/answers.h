@@ -1,6 +1,8 @@
 #pragma once
 // `carom answers`: the answers of visitors to the questions of lessons, and the right ones.
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,6 +27,22 @@ struct AnswerRow {
 
 /// Returns the answers of session files, in their order. Throws std::runtime_error if one cannot be read.
 std::vector<AnswerRow> answersOf(const std::vector<std::filesystem::path>& files);
+
+/// The votes of a class on a question, the first and the second.
+struct VotedQuestion {
+  std::string lesson, question;
+  struct Answer {
+    std::string words;
+    std::optional<bool> isRight;
+    std::array<std::size_t, 2> count{};  ///< in each vote
+  };
+  std::vector<Answer> answers;       ///< in the lesson's order
+  std::array<std::size_t, 2> all{};  ///< phones that voted
+};
+
+/// Returns the votes of session files by question, in the order in which they were first asked. Throws
+/// std::runtime_error if a file cannot be read.
+std::vector<VotedQuestion> votesOf(const std::vector<std::filesystem::path>& files);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addAnswers(CLI::App& app, int& status);

@@ -14,7 +14,7 @@
 #include "engine/base/bisection.h"
 #include "engine/base/whole_file.h"
 #include "engine/billiard/billiard.h"
-#include "engine/light/light_cone.h"
+#include "engine/light/point_emission.h"
 #include "engine/soft/soft_play.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -154,10 +154,7 @@ class SoftSight {
     const Displacement fromEye = seen.event - eye_;
     seen.seen = headFromBoard * fromEye;
     seen.u = uFromBeta(Vec3(state->beta, 0.0));
-    // ν_seen/ν_emitted: the distance in the head's frame over that in the matter's, along the ray.
-    const double inMatter_m =
-        glm::dot(fromEye.dr_m, seen.u) - setup_.lightSpeed_m_s * fromEye.dt_s * gammaFromU(seen.u);
-    seen.doppler = glm::length(seen.seen.dr_m) / inMatter_m;
+    seen.doppler = dopplerFactor(fromEye, seen.u, headFromBoard.inverse().u());
     seen.properTime_s = state->properTime_s;
     return seen;
   }

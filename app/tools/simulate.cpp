@@ -153,6 +153,13 @@ SoftPointState pointOf(const WorldLine& line, const Vec2& offset_m, double t_s) 
   return {Vec2(motion.event.r_m) + contracted_m, beta, motion.properTime_s};
 }
 
+/// Whether a place is beside a soft rectangle: its sides are along x and y.
+bool isBesideRectangle(const Puck& puck, const Vec2& offset_m) {
+  if (!puck.soft || puck.outline_m.empty()) return false;
+  const Vec2 beyond_m = glm::abs(offset_m) - glm::abs(puck.outline_m.front());
+  return !(std::max(beyond_m.x, beyond_m.y) <= 1e-9 * puck.radius_m);
+}
+
 std::vector<SoftPoint> pointsOf(const SimulateOptions& options, const std::vector<Puck>& pucks) {
   std::vector<SoftPoint> points;
   for (const PuckPoint& point : options.points) {
@@ -161,6 +168,10 @@ std::vector<SoftPoint> pointsOf(const SimulateOptions& options, const std::vecto
     if (puck == pucks.end())
       throw UnknownPuckPoint(
           fmt::format("--point: there is no puck '{}', expected a name of the scenario", point.puck));
+    if (isBesideRectangle(*puck, point.offset_m))
+      throw UnknownPuckPoint(
+          fmt::format("--point: ({}, {}) m is not in puck '{}', expected a place between its sides",
+                      point.offset_m.x, point.offset_m.y, point.puck));
     if (!(glm::length(point.offset_m) <= puck->radius_m * (1.0 + 1e-9)))
       throw UnknownPuckPoint(
           fmt::format("--point: ({}, {}) m is not in puck '{}', expected at most {} m from its centre",

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl/gl_state_guard.h"
+#include "cave/render/travelling_light.h"
 
 namespace carom {
 namespace {
@@ -75,6 +76,7 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
   if (!ghosts.myNow.empty()) soft.myNow = eye.observation;
   renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts, soft);
   marked_ = !scene_.pulses.empty() || record.lesson.phase != LessonPhase::none ||
+            isStrokeUnderWay(world.events, observer) ||
             std::any_of(kNamedViews.begin(), kNamedViews.end(),
                         [&](const NamedView& view) { return view.isMark && views.*view.value; });
   if (!marked_) return;

@@ -28,9 +28,9 @@ void WallOverlays::draw(const SeenFrame& seen, const WallPictures& pictures) {
 void WallOverlays::drawFront(const Over& over) {
   if (!over.isFront) return;
   words_[over.seen.viewer].draw(over.wall, over.seen, over.picture);
-  choices_.draw(over.wall, over.seen, offeredIn(over.room, over.seen, offersChoices_, hasTable_),
-                over.picture);
-  if (hasTable_) home_.draw(over.room, over.wall, over.eye_m, over.seen, over.picture);
+  choices_.draw(over.wall, over.seen, offeredIn(over.room, over.seen, offers_), over.picture);
+  class_.draw(over.wall, over.seen.record.classroom, over.picture);
+  if (offers_.hasTable) home_.draw(over.room, over.wall, over.eye_m, over.seen, over.picture);
 }
 
 }  // namespace carom

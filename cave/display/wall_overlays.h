@@ -6,6 +6,7 @@
 
 #include "cave/display/wall_pictures.h"
 #include "cave/overlay/choice_tiles.h"
+#include "cave/overlay/class_board.h"
 #include "cave/overlay/comfort_overlay.h"
 #include "cave/overlay/cue_overlay.h"
 #include "cave/overlay/home_arrow.h"
@@ -27,10 +28,8 @@ class WallOverlays {
   void setLesson(const LessonWords& words, const LessonPlan& plan) {
     for (HudPanel& panel : words_) panel.setLesson(words, plan);
   }
-  /// Sets whether the game offers the three choices (cave/overlay/choice_tiles.h).
-  void setChoices(bool offered) { offersChoices_ = offered; }
-  /// Sets whether the game has a table to come home to (cave/overlay/home_arrow.h).
-  void setTable(bool there) { hasTable_ = there; }
+  /// Sets what the game offers (cave/overlay/choice_tiles.h, cave/overlay/home_arrow.h).
+  void setOffers(const GameOffers& offers) { offers_ = offers; }
 
   /// Draws over the newest pictures of one viewer. Needs the drawing context.
   void draw(const SeenFrame& seen, const WallPictures& pictures);
@@ -81,8 +80,8 @@ class WallOverlays {
   CueOverlay cue_;
   std::array<HudPanel, kMostViewers> words_;  ///< of each viewer
   ChoiceTiles choices_;
-  bool hasTable_ = false;  ///< in the game
-  bool offersChoices_ = false;
+  ClassBoard class_;
+  GameOffers offers_;
 };
 
 }  // namespace carom

@@ -1,13 +1,28 @@
 #pragma once
 // The hall around the table: a box at rest on the board, centred on its origin.
 
+#include <cstddef>
+#include <vector>
+
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace carom {
 
+/// A lamp whose light is followed. Board frame.
+struct FollowedLamp {
+  glm::dvec3 place_m{0.0};
+  double on_s = 0.0;      ///< board time at which it goes on
+  glm::vec3 light{1.0F};  ///< linear, as many times a lamp of the hall's
+};
+
+/// The most lamps that a game can have.
+inline constexpr std::size_t kMostLamps = 3;
+
 struct Hall {
+  /// Instead of the lamps over the table; the hall's own light is then off.
+  std::vector<FollowedLamp> lamps{};
   double floor_m = -0.75;
   glm::dvec3 size_m{14.0, 12.0, 5.0};  ///< at least; larger around a large table
 };

@@ -17,11 +17,18 @@ struct WallAction {
     home,      ///< as Home
     unfreeze,  ///< as F in a frozen view
     keys,      ///< as H
+    tasks,     ///< begins the tasks
+    nextTask,  ///< goes on to the next one
   };
   Kind kind = Kind::none;
   std::uint8_t number = 0;
 
   bool operator==(const WallAction&) const = default;
+};
+
+/// What a game offers on the front wall.
+struct GameOffers {
+  bool choices = false, hasTable = false, hasTasks = false;  ///< `hasTable`: there is one to come home to
 };
 
 constexpr WallAction actionOf(Choice choice) {

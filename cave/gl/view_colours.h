@@ -17,6 +17,8 @@ constexpr glm::vec3 kMyNowColour(1.0F, 0.45F, 0.85F);
 constexpr glm::vec3 kEventColour(0.95F, 0.95F, 0.95F);
 /// Flashes, and their light on its way.
 constexpr glm::vec3 kFlashColour(1.0F, 0.93F, 0.35F);
+/// A stroke on its way to its puck, and the light that brings back the news of it.
+constexpr glm::vec3 kStrokeColour(1.0F, 0.98F, 0.85F), kStrokeBackColour(0.62F, 0.72F, 0.90F);
 /// Angles between paths, and light along the ruler.
 constexpr glm::vec3 kAngleColour(1.0F, 0.78F, 0.45F);
 constexpr glm::vec3 kRulerLightColour(1.0F, 0.9F, 0.2F);

@@ -28,6 +28,12 @@ std::pair<texts::Text, texts::Text> wordsOf(const WallAction& action) {
       return {texts::tile::kHome, texts::keys::kHomeKey};
     case WallAction::Kind::unfreeze:
       return {texts::tile::kTimeGoesOn, "F"};
+    case WallAction::Kind::tasks:
+      return {texts::tile::kTasks, ""};
+    case WallAction::Kind::nextTask:
+      return {texts::tile::kNextTask, ""};
+    case WallAction::Kind::again:
+      return {texts::tile::kTryAgain, "Y"};
     case WallAction::Kind::keys:
       return {texts::tile::kKeys, "H"};
     default:

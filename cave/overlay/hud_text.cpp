@@ -196,7 +196,9 @@ void addObservers(const SeenFrame& seen, const LessonPlan& plan, Lines& lines) {
 void addAnswer(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
   if (answer == 0 || answer > lesson.answers.size()) return;
   const std::string& given = lesson.answers[answer - 1U];
-  const std::string words = answer - 1U == lesson.right
+  const bool isHidden = lesson.right >= lesson.answers.size();
+  const std::string words = isHidden ? given
+                            : answer - 1U == lesson.right
                                 ? fmt::format(texts::lesson::kRight, given)
                                 : fmt::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
   lines.wrap(words, texts::lesson::kYourAnswer);

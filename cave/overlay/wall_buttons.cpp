@@ -45,8 +45,9 @@ std::array<Tile, kChoices> tilesOn(const Wall& wall, bool atFoot) {
   return tiles;
 }
 
-OfferedTiles offeredIn(const RoomGeometry& room, const SeenFrame& seen, bool choices, bool hasTable) {
-  return {choices, !room.viewers.front().hasHand, hasTable && wayHome(room, seen).has_value()};
+OfferedTiles offeredIn(const RoomGeometry& room, const SeenFrame& seen, const GameOffers& game) {
+  return {game.choices, !room.viewers.front().hasHand, game.hasTable && wayHome(room, seen).has_value(),
+          game.hasTasks};
 }
 
 void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offered,
@@ -71,7 +72,17 @@ void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offer
   } else if (isFree && (offered.isAstray || isDriven(seen))) {
     add(1, Kind::home);
   }
-  if (offered.choices && offered.keys && offersChoicesNow(seen)) add(2, Kind::keys);
+  if (!offered.choices || !offersChoicesNow(seen)) return;
+  if (offered.keys) add(2, Kind::keys);
+  const auto addBelow = [&](std::size_t column, Kind kind) {
+    buttons.push_back({{kind, 0}, below(below(above[column], wall), wall)});
+  };
+  if (offered.hasTasks) {
+    addBelow(0, Kind::nextTask);
+    addBelow(1, Kind::again);
+  } else if (seen.self.score.strokes > 0) {
+    addBelow(0, Kind::tasks);
+  }
 }
 
 std::optional<PointedButton> buttonAt(const Wall& front, std::span<const WallButton> buttons,

@@ -39,13 +39,15 @@ struct OfferedTiles {
   bool choices = false;   ///< the game offers the three choices
   bool keys = false;      ///< the person has a keyboard, so that the list of keys is of use
   bool isAstray = false;  ///< the table is out of sight
+  bool hasTasks = false;  ///< the game has tasks
 };
 
-/// Returns what a room offers; `hasTable`: the game has one to come home to.
-OfferedTiles offeredIn(const RoomGeometry& room, const SeenFrame& seen, bool choices, bool hasTable);
+/// Returns what a room offers in a frame of the game.
+OfferedTiles offeredIn(const RoomGeometry& room, const SeenFrame& seen, const GameOffers& game);
 
 /// Appends the tiles on a wall in this frame: the three choices, and below them flat ones for what the keys
-/// Enter, Home, F and H do, where there is something for them to do.
+/// Enter, Home, F and H do, where there is something for them to do; and for tasks: to begin them, after the
+/// first stroke, and to go on to the next or try again.
 void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offered,
               std::vector<WallButton>& buttons);
 

@@ -42,7 +42,11 @@ void ScreenPicture::draw(const glm::dvec3& eyeInRoom_m, std::span<const std::uni
     const std::optional<glm::dmat4> clip = clipFromRoom(screen_.pieces[i].wall, eyeInRoom_m);
     if (!clip) continue;
     setUniform(program_, "clipFromRoom", *clip);
+    const glm::vec2 texel_1 = 1.0F / glm::vec2(pieces[i]->size_px());
+    glUniform2f(glGetUniformLocation(program_, "texel_1"), texel_1.x, texel_1.y);
     glBindTexture(GL_TEXTURE_2D, pieces[i]->texture());
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     pieces_[i].corners.bind();
     glDrawArrays(GL_TRIANGLES, 0, pieces_[i].count);
   }

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "cave/record/class_view.h"
 #include "cave/record/hand_view.h"
 #include "cave/record/headset_frame.h"
 #include "cave/record/lesson_words.h"
@@ -88,6 +89,7 @@ struct FrameRecord {
   TimeViews views;
   DriveView drive;
   LessonState lesson;
+  ClassView classroom;  ///< of phones; the session file has its votes, and not this
   HeadsetState headset;
   double fade = 0.0;  ///< how black the walls are: 1 is wholly, as when a game begins
 

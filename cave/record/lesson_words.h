@@ -16,7 +16,7 @@ struct LessonWords {
   std::string title;
   std::string question;              ///< asked before the answer can be seen
   std::vector<std::string> answers;  ///< two to kMostAnswers
-  std::size_t right = 0;             ///< index of the right answer
+  std::size_t right = 0;             ///< index of the right answer; beyond all: it is not told
   std::string todo;                  ///< what to do
   std::string notice;                ///< what to look for meanwhile
   std::string number;                ///< the number that comes out, and why

@@ -153,6 +153,21 @@ void visit(Lesson& lesson, Fields& fields) {
   fields("lesson_answer", lesson.answer, FieldKind{0.0, kMostAnswers});
 }
 
+template <PartOf<ClassView> Class, typename Fields>
+void visit(Class& classroom, Fields& fields) {
+  fields("class_phase", classroom.phase, upTo(ClassPhase::explained).in(Stored::notAtAll));
+  fields("class_round", classroom.round, FieldKind{0.0, kVotes, Stored::notAtAll});
+  fields("class_choices", classroom.choices, FieldKind{0.0, kMostAnswers, Stored::notAtAll});
+  fields("class_right", classroom.right, FieldKind{0.0, kMostAnswers, Stored::notAtAll});
+  fields("class_answered", classroom.answered, kCount.in(Stored::notAtAll));
+  fields("class_phones", classroom.phones, kCount.in(Stored::notAtAll));
+  for (auto& round : classroom.counts) {
+    for (auto& count : round) fields("class_count", count, kCount.in(Stored::notAtAll));
+  }
+  fields("class_address", classroom.address, kText.in(Stored::notAtAll));
+  fields("class_word", classroom.word, kText.in(Stored::notAtAll));
+}
+
 template <PartOf<EyeFrustum> Frustum, typename Fields>
 void visit(Frustum& frustum, Fields& fields) {
   fields("tan_left", frustum.left, kNumber);
@@ -196,6 +211,7 @@ void visit(Record& record, Fields& fields) {
   fields("light_speed_m_s", record.lightSpeed_m_s, kNumber);
   visit(record.controls, fields);
   visit(record.lesson, fields);
+  visit(record.classroom, fields);
   fields("fade", record.fade, FieldKind{0.0, 1.0});
   fields.section(FrameSection::places);
   visit(record.drive, fields);

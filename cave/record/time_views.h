@@ -22,19 +22,20 @@ struct TimeViews {
   std::uint8_t frozen = 0;  ///< the view stays at one observation event while the head moves
   std::uint8_t strain = 0;  ///< soft bodies show by their colours how much they are stretched or pressed
   std::uint8_t heat = 0;    ///< or how hot they are
+  std::uint8_t news = 0;    ///< rings of news, at the speed of light, around each hit
   Switches beside = kNoSwitches;  ///< switches of the right half: Newton's, unless chosen otherwise
 
   bool operator==(const TimeViews&) const = default;
 };
 
-/// The key F11 as windows number keys (GLFW_KEY_F11); letters are their own numbers.
+/// The key F11 as windows number keys (GLFW_KEY_F11); letters and signs are their own numbers.
 inline constexpr int kKeyF11 = 300;
 
 /// A view of time as a row: what every list of them is made from.
 struct NamedView {
   const char* name;  ///< on the command line and in files
   std::uint8_t TimeViews::*value;
-  int key;            ///< that turns it: a letter or kKeyF11
+  int key;            ///< that turns it: a letter, a sign or kKeyF11
   texts::Text words;  ///< what the key does
   texts::Text tip;
   texts::Text legend;  ///< null: the legend tells of it in another way (cave/overlay/hud_text.cpp)
@@ -42,7 +43,7 @@ struct NamedView {
 };
 
 /// A session file stores them as one number, whose bits are in this order.
-inline constexpr std::array<NamedView, 11> kNamedViews{{
+inline constexpr std::array<NamedView, 12> kNamedViews{{
     {"board-now", &TimeViews::boardNow, 'N', texts::keys::kBoardNow, texts::console::kBoardNowTip, nullptr,
      true},
     {"my-now", &TimeViews::myNow, 'M', texts::keys::kMyNow, texts::console::kMyNowTip, nullptr, true},
@@ -61,6 +62,7 @@ inline constexpr std::array<NamedView, 11> kNamedViews{{
      texts::legend::kStrain, false},
     {"heat", &TimeViews::heat, kKeyF11, texts::keys::kHeat, texts::console::kHeatTip, texts::legend::kHeat,
      false},
+    {"news", &TimeViews::news, '.', texts::keys::kNews, texts::console::kNewsTip, texts::legend::kNews, true},
 }};
 
 }  // namespace carom

@@ -167,7 +167,21 @@ void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::spa
   const double whole_s = std::clamp(std::floor(eye.observation.t_s), -kMostShown_s, kMostShown_s);
   eye_.observedWhole_s = static_cast<int>(whole_s);
   eye_.observedPart_s = static_cast<float>(eye.observation.t_s - whole_s);
+  lookAtLamps(eye.observation);
   surfaces_.look(eye.observation.r_m, u);
+}
+
+/// Sets when the lamps that are followed go on, c (t_on − t_o). Beyond bounds it makes no difference, and
+/// what rests is not drawn anew: all that they can light is lit, or nothing is.
+void BodyDrawer::lookAtLamps(const Event& observation) {
+  constexpr double kAllLit_m = 1e3, kNothingLit_m = 1.0;
+  for (std::size_t i = 0; i < scene_.followed.size(); ++i) {
+    const FollowedLamp& lamp = scene_.followed[i];
+    eye_.lampsFromEye_m[i] = glm::vec3(lamp.place_m - observation.r_m);
+    eye_.lampLights[i] = lamp.light;
+    eye_.lampsOn_m[static_cast<int>(i)] = static_cast<float>(
+        std::clamp(eye_.lightSpeed_m_s * (lamp.on_s - observation.t_s), -kAllLit_m, kNothingLit_m));
+  }
 }
 
 BodyProgram& BodyDrawer::programFor(const BodyVariant& variant, BodyProgram*& last) {
@@ -253,7 +267,7 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   const bool isPlain = ghost || model.told != nullptr;
   const Paint paint = isPlain ? Paint::plain : isShadow ? Paint::shadow : Paint::soft;
   BodyProgram* program = nullptr;
-  programFor({Legs::followed, paint, switches_, chosen.moment}, program);
+  programFor({Legs::followed, paint, switches_, chosen.moment, !scene_.followed.empty()}, program);
   use(program->name());
   program->set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(isShadow || ghost, isShadow, !isShadow, model.told != nullptr);
@@ -273,7 +287,8 @@ void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
                         : legsOf({uniforms.legs, static_cast<std::size_t>(uniforms.legCount)}, part.isRound);
   const Paint paint = ghost ? Paint::plain : part.paint;
   Layer& layer = layers_[static_cast<std::size_t>(chosen.moment)];
-  BodyProgram& program = programFor({legs, paint, switches_, chosen.moment}, layer.programs[chosen.number]);
+  BodyProgram& program = programFor({legs, paint, switches_, chosen.moment, !scene_.followed.empty()},
+                                    layer.programs[chosen.number]);
   use(program.name());
   program.set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(decal || ghost, decal && !ghost, !decal,
@@ -323,8 +338,9 @@ StillView BodyDrawer::stillView(const Choice& choice, const glm::ivec2& size_px)
   append(eye_.headOnBoard);
   append(eye_.eyeOnBoard_m);
   append(eye_.exposure);
+  append(eye_.lampsOn_m);
   append(glm::mat4(choice.clipFromDrawn));
-  static_assert(sizeof(leg) + 3 * sizeof(glm::mat4) + sizeof(glm::vec4) + 2 * sizeof(glm::vec3) <=
+  static_assert(sizeof(leg) + 3 * sizeof(glm::mat4) + sizeof(glm::vec4) + 3 * sizeof(glm::vec3) <=
                 sizeof(view.numbers));
   return view;
 }

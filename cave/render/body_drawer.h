@@ -26,7 +26,7 @@ namespace carom {
 
 /// All that the picture of the still bodies of one eye on one wall depends on.
 struct StillView {
-  std::array<float, 128> numbers{};
+  std::array<float, 132> numbers{};
   Switches switches;
   glm::ivec2 size_px{0};
   std::size_t levels = 0;  // of the tiles
@@ -79,6 +79,7 @@ class BodyDrawer {
     std::vector<BodyProgram*> programs;  // of each part, the last it was drawn with
   };
 
+  void lookAtLamps(const Event& observation);
   void makeVertices();
   void describeVertices(const GlVertexArray& array, const GlBuffer& indices) const;
   void makeColours();

@@ -32,8 +32,11 @@ void send(int at, const LegUniform& leg) { glUniform4fv(at, kLegTexels, leg.data
 BodyProgram::BodyProgram(const BodyVariant& variant)
     : variant_(variant),
       program_(makeProgram(
-          "body", bodyVertexShader(variant.legs, variant.paint, variant.switches, variant.moment),
-          surfaceFragmentShader(variant.paint, variant.switches, variant.moment), kVertexInputs)) {
+          "body",
+          bodyVertexShader(variant.legs, variant.paint, variant.switches, variant.moment,
+                           variant.followsLamps),
+          surfaceFragmentShader(variant.paint, variant.switches, variant.moment, variant.followsLamps),
+          kVertexInputs)) {
   const auto place = [this](auto& uniform, const char* name) {
     uniform.at = glGetUniformLocation(program_, name);
   };
@@ -43,6 +46,9 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   place(has_.eyeOnBoard_m, "eyeOnBoard_m");
   place(has_.exposure, "eyeExposure");
   place(has_.lamps_m, "lamps_m");
+  place(has_.lampsFromEye_m, "lampsFromEye_m");
+  place(has_.lampLights, "lampLights");
+  place(has_.lampsOn_m, "lampsOn_m");
   place(has_.observedWhole_s, "observedWhole_s");
   place(has_.observedPart_s, "observedPart_s");
   place(has_.lightSpeed_m_s, "lightSpeed_m_s");
@@ -80,6 +86,9 @@ void BodyProgram::set(const EyeUniforms& eye) {
   has_.eyeOnBoard_m.set(eye.eyeOnBoard_m);
   has_.exposure.set(eye.exposure);
   has_.lamps_m.set(eye.lamps_m);
+  has_.lampsFromEye_m.set(eye.lampsFromEye_m);
+  has_.lampLights.set(eye.lampLights);
+  has_.lampsOn_m.set(eye.lampsOn_m);
   has_.observedWhole_s.set(eye.observedWhole_s);
   has_.observedPart_s.set(eye.observedPart_s);
   has_.lightSpeed_m_s.set(eye.lightSpeed_m_s);

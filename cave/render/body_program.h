@@ -36,6 +36,9 @@ struct EyeUniforms {
   float observedPart_s = 0.0F;
   float lightSpeed_m_s = 0.0F;
   std::array<glm::vec3, 3> lamps_m{};
+  // Of lamps that are followed: from the eye; when they go on, c (t_on − t_o); their light.
+  std::array<glm::vec3, 3> lampsFromEye_m{}, lampLights{};
+  glm::vec3 lampsOn_m{0.0F};
 };
 
 /// What they need of one part.
@@ -66,6 +69,7 @@ struct BodyVariant {
   Paint paint = Paint::plain;
   Switches switches;
   ViewTime moment = ViewTime::seen;
+  bool followsLamps = false;
 
   bool operator==(const BodyVariant&) const = default;
 };
@@ -98,8 +102,8 @@ class BodyProgram {
   struct Uniforms {
     Uniform<glm::mat4> clipFromDrawn, boardFromDrawn, drawnFromSeen, drawnFromBody;
     Uniform<glm::vec4> headOnBoard, middleMotion;
-    Uniform<glm::vec3> eyeOnBoard_m, exposure, colour, ghostColour;
-    Uniform<std::array<glm::vec3, 3>> lamps_m;
+    Uniform<glm::vec3> eyeOnBoard_m, exposure, colour, ghostColour, lampsOn_m;
+    Uniform<std::array<glm::vec3, 3>> lamps_m, lampsFromEye_m, lampLights;
     Uniform<LegUniform> onlyLeg;
     Uniform<int> observedWhole_s, firstLeg, legCount, telling;
     Uniform<float> observedPart_s, lightSpeed_m_s, appears_m, gloss, tint, nearer, hatch_m;

@@ -68,7 +68,7 @@ std::string paintText(Paint paint) {
 bool isMatt(Paint paint) { return paint == Paint::cloth || paint == Paint::panels || paint == Paint::shadow; }
 
 /// Returns the definitions that differ from one program to another.
-std::string variantText(Paint paint, const Switches& switches, ViewTime moment) {
+std::string variantText(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " true\n" : " false\n");
   };
@@ -85,6 +85,8 @@ std::string variantText(Paint paint, const Switches& switches, ViewTime moment) 
   if (paint == Paint::clock) text += "#define CLOCK\n";
   if (paint == Paint::shadow) text += "#define SHADOW\n";
   if (isMatt(paint)) text += "#define MATT\n";
+  if (followsLamps) text += "#define LAMPS\n";
+  if (followsLamps && paint == Paint::lamp) text += "#define BULB\n";
   if (paint == Paint::clock || paint == Paint::lamp) text += "#define GLOWS\n";
   return text + shaders::light_types;
 }
@@ -110,13 +112,15 @@ std::string kernelText(Legs legs) {
   return text;
 }
 
-std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, ViewTime moment) {
-  return kPreamble + variantText(paint, switches, moment) + kernelText(legs) + shaders::body_vert;
+std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, ViewTime moment,
+                             bool followsLamps) {
+  return kPreamble + variantText(paint, switches, moment, followsLamps) + kernelText(legs) +
+         shaders::body_vert;
 }
 
-std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment) {
+std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
   const std::string marker = "//CAROM::Paint";
-  std::string text = kPreamble + variantText(paint, switches, moment) + shaders::surface_frag;
+  std::string text = kPreamble + variantText(paint, switches, moment, followsLamps) + shaders::surface_frag;
   const std::string painting = moment == ViewTime::seen ? paintText(paint) : shaders::paint_ghost;
   text.replace(text.find(marker), marker.size(), painting);
   return text;

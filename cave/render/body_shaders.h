@@ -23,9 +23,11 @@ enum class Legs {
 std::string kernelText(Legs legs);
 
 /// Returns the shaders for one state of the switches: effects that are off cost nothing. Bodies at a moment
-/// are drawn as ghosts, whatever their paint.
+/// are drawn as ghosts, whatever their paint. With `followsLamps` the only light is that of lamps that go on,
+/// as it arrives.
 std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches,
-                             ViewTime moment = ViewTime::seen);
-std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen);
+                             ViewTime moment = ViewTime::seen, bool followsLamps = false);
+std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen,
+                                  bool followsLamps = false);
 
 }  // namespace carom

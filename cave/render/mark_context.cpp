@@ -5,6 +5,18 @@
 
 namespace carom {
 
+void addClothRing(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double inner_m,
+                  double outer_m, const glm::vec4& colour) {
+  std::array<glm::dvec3, kAround + 1> inner, outer;
+  for (std::size_t i = 0; i <= kAround; ++i) {
+    const double angle_rad = 2.0 * std::numbers::pi * static_cast<double>(i) / kAround;
+    const Vec3 direction(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    inner[i] = draw(middle_m + inner_m * direction);
+    outer[i] = draw(middle_m + outer_m * direction);
+  }
+  batch.addStrip(inner, outer, colour);
+}
+
 StandingPlate standingPlate(const MarkContext& sight, const PlateText& text, PlateShape shape,
                             const Vec3& foot_m) {
   constexpr double kReadable_m = 1.6, kMostTimes = 3.0;

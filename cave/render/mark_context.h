@@ -67,6 +67,11 @@ inline Vec3 rightOf(const MarkContext& sight, const Vec3& place_m) {
 
 inline constexpr double kOnCloth_m = 0.003;  ///< height above the cloth of marks that lie on it
 
+/// Adds a ring on the board around `middle_m`, between two radii.
+void addClothRing(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double inner_m,
+                  double outer_m, const glm::vec4& colour);
+inline constexpr std::size_t kAround = 96;  ///< parts of rings and arcs
+
 /// A plate that stands at a place and faces the person, large enough to be read from where the person is.
 struct StandingPlate {
   PlateText text;

@@ -11,6 +11,7 @@
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/view_colours.h"
 #include "cave/render/measure_marks.h"
+#include "cave/render/travelling_light.h"
 
 namespace carom {
 namespace {
@@ -34,21 +35,6 @@ class OnBody {
   glm::dmat4 drawnFromSeen_;
 };
 
-constexpr std::size_t kAround = 96;
-
-/// Adds a ring on the board around `middle_m`, between two radii.
-void addRing(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double inner_m, double outer_m,
-             const glm::vec4& colour) {
-  std::array<glm::dvec3, kAround + 1> inner, outer;
-  for (std::size_t i = 0; i <= kAround; ++i) {
-    const double angle_rad = 2.0 * std::numbers::pi * static_cast<double>(i) / kAround;
-    const Vec3 direction(std::cos(angle_rad), std::sin(angle_rad), 0.0);
-    inner[i] = draw(middle_m + inner_m * direction);
-    outer[i] = draw(middle_m + outer_m * direction);
-  }
-  batch.addStrip(inner, outer, colour);
-}
-
 /// Adds an arc of the light's sphere: around the vertical at one height, or over the top at one azimuth.
 template <typename Direction>
 void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double radius_m,
@@ -62,9 +48,10 @@ void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double
 
 /// Adds the light of a flash on its way: the part of its sphere above the cloth, as hoops, and the ring on
 /// the cloth.
-void addSphere(MarkBuffer& batch, const Resting& draw, const Event& flash, double radius_m) {
+void addSphere(MarkBuffer& batch, const Resting& draw, const Event& flash, double radius_m,
+               const glm::vec3& colour) {
   const double left = std::clamp(1.0 - radius_m / kSphere_m, 0.0, 1.0);
-  const glm::vec4 faint(kFlashColour, static_cast<float>(0.55 * left));
+  const glm::vec4 faint(colour, static_cast<float>(0.55 * left));
   constexpr double kPi = std::numbers::pi;
   for (int i = 0; i < 6; ++i) {
     const double azimuth_rad = kPi * i / 6.0;
@@ -85,17 +72,27 @@ void addSphere(MarkBuffer& batch, const Resting& draw, const Event& flash, doubl
   if (!(radius_m > std::abs(rise_m))) return;
   const double onCloth_m = std::sqrt((radius_m - rise_m) * (radius_m + rise_m));
   const double half_m = std::min(0.008, 0.5 * onCloth_m);
-  addRing(batch, draw, {flash.r_m.x, flash.r_m.y, kOnCloth_m}, onCloth_m - half_m, onCloth_m + half_m,
-          glm::vec4(kFlashColour, static_cast<float>(0.4 + 0.6 * left)));
+  addClothRing(batch, draw, {flash.r_m.x, flash.r_m.y, kOnCloth_m}, onCloth_m - half_m, onCloth_m + half_m,
+               glm::vec4(colour, static_cast<float>(0.4 + 0.6 * left)));
+}
+
+/// Returns the colour of a flash: that of the puck in which it happens, or that of flashes.
+glm::vec3 flashColour(const MarkContext& sight, std::span<const glm::vec3> colours, const Event& flash) {
+  for (std::size_t body = 1; body <= sight.pucks && body < colours.size(); ++body) {
+    const WorldLine& line = sight.histories[body];
+    if (glm::distance(line.at(flash.t_s).event.r_m, flash.r_m) < line.radius_m() + 0.02)
+      return codeOf(glm::max(colours[body], glm::vec3(0.15F)));
+  }
+  return kFlashColour;
 }
 
 /// Adds a ring around the place and, on a pin, a flag with the number. The event has been seen for `age_s`.
 void addMarker(MarkBuffer& batch, const MarkContext& sight, const Resting& draw, const GameEvent& event,
-               double age_s, float shown, LabelLayout& crowd) {
+               double age_s, float shown, const glm::vec3& flashing, LabelLayout& crowd) {
   const bool flash = event.kind == EventKind::flash;
-  const glm::vec4 colour(flash ? kFlashColour : kEventColour, shown);
+  const glm::vec4 colour(flash ? flashing : kEventColour, shown);
   const Vec3& at_m = event.at.r_m;
-  addRing(batch, draw, {at_m.x, at_m.y, kOnCloth_m}, 0.018, 0.026, colour);
+  addClothRing(batch, draw, {at_m.x, at_m.y, kOnCloth_m}, 0.018, 0.026, colour);
   constexpr double kPin_m = 0.10;
   StandingPlate flag =
       standingPlate(sight, wholeNumber(event.number), PlateShape::flag, at_m + Vec3(0.0, 0.0, kPin_m));
@@ -106,7 +103,7 @@ void addMarker(MarkBuffer& batch, const MarkContext& sight, const Resting& draw,
   addPlate(batch, sight, flag, colour, [&](const Vec3& offset_m) { return draw(flag.foot_m + offset_m); });
   const double glowing = 1.0 - age_s / kFlashSeen_s;
   if (glowing <= 0.0) return;
-  const glm::vec4 light(kFlashColour, static_cast<float>(glowing));
+  const glm::vec4 light(flashing, static_cast<float>(glowing));
   // The flash is drawn nearer than everything that could cut it: it is dazzle, not an object on the table.
   constexpr double kNearer = 0.6;
   batch.addGlow(kNearer * draw(at_m), kNearer * (flash ? 0.3 : 0.08), light);
@@ -135,14 +132,16 @@ class Latest {
 
 }  // namespace
 
-void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) {
+void addEvents(const MarkContext& sight, std::span<const glm::vec3> colours, LabelLayout& crowd,
+               MarkBuffer& batch) {
   const Resting draw(sight);
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
   Latest latest;
   for (const GameEvent& event : sight.events) {
     if (event.kind == EventKind::flash) {
       const double radius_m = c_m_s * (boardNow_s(sight) - event.at.t_s);
-      if (radius_m > 0.0 && radius_m < kSphere_m) addSphere(batch, draw, event.at, radius_m);
+      if (radius_m > 0.0 && radius_m < kSphere_m)
+        addSphere(batch, draw, event.at, radius_m, flashColour(sight, colours, event.at));
     }
     const double age_s = seenSince_s(sight, event.at);
     if (age_s >= 0.0 && age_s < kEventShown_s) latest.add({&event, age_s});
@@ -151,7 +150,9 @@ void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch) 
   for (const auto& [event, age_s] : latest.seen()) {
     const double byAge = std::clamp(2.0 * (1.0 - age_s / kEventShown_s), 0.0, 1.0);
     const double byRank = std::min(1.0, 1.4 * (1.0 - rank++ / static_cast<double>(kMostMarkers)));
-    addMarker(batch, sight, draw, *event, age_s, static_cast<float>(byAge * byRank), crowd);
+    const glm::vec3 flashing =
+        event->kind == EventKind::flash ? flashColour(sight, colours, event->at) : kFlashColour;
+    addMarker(batch, sight, draw, *event, age_s, static_cast<float>(byAge * byRank), flashing, crowd);
   }
 }
 
@@ -296,7 +297,9 @@ void SpacetimeMarks::look(const MarkContext& sight) {
   LabelLayout crowd(sight);
   if (sight.views.ruler) addRuler(sight, ruler_, crowd, batch_);
   if (sight.views.clocks) addPuckClocks(sight, {colours_, reach_m_, rims_m_}, crowd, batch_);
-  if (sight.views.events) addEvents(sight, crowd, batch_);
+  if (sight.views.events) addEvents(sight, colours_, crowd, batch_);
+  if (sight.views.news) addNews(sight, colours_, batch_);
+  addStrokes(sight, batch_);
   if (sight.views.angles) addAngles(sight, crowd, batch_);
   addBeacons(sight, colours_, tops_m_, batch_);
   addPulses(sight, pulses_, batch_);

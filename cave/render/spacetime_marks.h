@@ -19,8 +19,10 @@ namespace carom {
 
 /// Adds numbered flags, at rest on the board, where the eye has seen an event happen: for the latest
 /// kMostMarkers events, the older the fainter. For flashes it also adds the sphere of their light, of radius
-/// c (t − t_e) at the person's board time t, and the ring in which the sphere cuts the cloth.
-void addEvents(const MarkContext& sight, LabelLayout& crowd, MarkBuffer& batch);
+/// c (t − t_e) at the person's board time t, and the ring in which the sphere cuts the cloth: in the colour
+/// of the puck that flashes, if there is one of these `colours` (of every body, linear).
+void addEvents(const MarkContext& sight, std::span<const glm::vec3> colours, LabelLayout& crowd,
+               MarkBuffer& batch);
 inline constexpr std::size_t kMostMarkers = 8;
 inline constexpr double kEventShown_s = 8.0;  ///< after its light has arrived
 inline constexpr double kFlashSeen_s = 0.35;  ///< how long a flash glows

@@ -130,7 +130,7 @@ std::vector<ScenePart> hallParts(const Hall& hall) {
   return parts;
 }
 
-std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m) {
+std::vector<ScenePart> lampParts(std::span<const glm::dvec3> lamps_m, double ceiling_m) {
   constexpr double cell_m = 0.1;
   MeshBuilder shades;
   MeshBuilder bulbs;

@@ -2,7 +2,7 @@
 // The hall around the table, at rest on the board: straight lines and columns that make aberration visible,
 // and walls of four tints for orientation.
 
-#include <array>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -15,6 +15,6 @@ namespace carom {
 std::vector<ScenePart> hallParts(const Hall& hall);
 
 /// Returns three hanging lamps along x at these places.
-std::vector<ScenePart> lampParts(const std::array<glm::dvec3, 3>& lamps_m, double ceiling_m);
+std::vector<ScenePart> lampParts(std::span<const glm::dvec3> lamps_m, double ceiling_m);
 
 }  // namespace carom

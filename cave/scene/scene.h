@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "cave/frame/hall.h"
 #include "cave/frame/lesson_plan.h"
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene_part.h"
@@ -47,6 +48,8 @@ struct Scene {
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
+  std::vector<FollowedLamp>
+      followed;  ///< if there are any, `lamps_m` are theirs, the first in place of others
   /// How far the far end of a puck's shadow can be from the puck at most, in heights of the puck.
   double longestShadow = kLongestShadow;
   std::vector<ScenePart>

@@ -86,7 +86,7 @@ struct Resting {
   std::vector<ScenePart> hall;
 };
 
-Resting restingParts(const BilliardSetup& setup, const Hall& hall, const std::array<glm::dvec3, 3>& lamps_m) {
+Resting restingParts(const BilliardSetup& setup, const Hall& hall, std::span<const glm::dvec3> lamps_m) {
   Resting resting;
   resting.table = setup.board ? tableParts(*setup.board, hall.floor_m) : openPlaneParts(kOpenPlane_m);
   resting.hall = lampParts(lamps_m, hall.floor_m + hall.size_m.z);
@@ -267,9 +267,13 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
   around.size_m = {hallFloor_m(table_m, hall), hall.size_m.z};
   const double lampHeight_m = std::min(kLampHeight_m, around.floor_m + around.size_m.z - 0.5);
   for (int i = 0; i < 3; ++i) scene.lamps_m[i] = {(i - 1) * table_m.x / 3.0, 0.0, lampHeight_m};
+  scene.followed = hall.lamps;
+  for (std::size_t i = 0; i < scene.lamps_m.size() && !scene.followed.empty(); ++i)
+    scene.lamps_m[i] = scene.followed[i < scene.followed.size() ? i : 0].place_m;
+  const auto lamps = std::span(scene.lamps_m).first(scene.followed.empty() ? 3 : scene.followed.size());
 
   if (setup.board) scene.longestShadow = longestShadowOn(table_m, scene.lamps_m, pucks);
-  Resting resting = restingParts(setup, around, scene.lamps_m);
+  Resting resting = restingParts(setup, around, lamps);
   addNote(scene, "table", resting.table);
   addNote(scene, "hall", resting.hall);
   scene.reach_m.push_back(std::max(reachOf(resting.table), reachOf(resting.hall)));

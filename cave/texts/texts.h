@@ -15,6 +15,9 @@ namespace carom::texts {
 
 using Text = const char*;
 
+/// The language of this catalogue, as HTML names it.
+inline constexpr Text kLanguage = "en";
+
 // The choices on the front wall, in the order of Choice, and their keys.
 inline constexpr std::array<Text, 3> kChoices{"Play", "Lessons", "Show me"};
 inline constexpr std::array<Text, 3> kChoiceKeys{"F7", "F6", "F5"};
@@ -22,8 +25,15 @@ inline constexpr std::array<Text, 3> kChoiceKeys{"F7", "F6", "F5"};
 // Tiles below them; their keys stand behind the names.
 namespace tile {
 inline constexpr Text kBestShot = "Best shot", kHome = "Back to the table", kTimeGoesOn = "Let time go on";
-inline constexpr Text kKeys = "Keys";
+inline constexpr Text kKeys = "Keys", kTasks = "Tasks", kNextTask = "Next task", kTryAgain = "Try again";
 }  // namespace tile
+
+// Tasks for who plays.
+namespace task {
+inline constexpr Text kText = "{} of {}: {}", kBest = " (best: {:.2f} J)";
+inline constexpr Text kSolved = "Done, with {1:.2f} J: {0} of 3 stars. The next task follows.";
+inline constexpr Text kNotYet = "Not yet. Strike again, or try again from the beginning: Y.";
+}  // namespace task
 
 // The devices that hold the cue, in the order of InputDevices.
 inline constexpr std::array<Text, 3> kDevices{"wand", "mouse", "gamepad"};
@@ -62,6 +72,7 @@ inline constexpr Text kRuler = "ruler: 1 m, and light travelling along it";
 inline constexpr Text kAngles = "angles between the outgoing paths";
 inline constexpr Text kStrain = "colours: soft matter pressed (blue) or stretched (red)";
 inline constexpr Text kHeat = "colours: the heat of soft matter, dark to yellow";
+inline constexpr Text kNews = "rings: news of a hit, at the speed of light, in the pucks' colours";
 inline constexpr Text kFrozen = "frozen view: walk around it";
 inline constexpr Text kClocks = "labels: each puck's proper time";
 inline constexpr Text kScore = "caroms  {}   strokes  {}";
@@ -77,17 +88,17 @@ inline constexpr Text kPlatform = "my speed on the table: {:.3f} c, γ = {:.2f}"
 inline constexpr Text kLightRing = "the speed of light";
 inline constexpr Text kContracted = "a circle on the table, contracted to {:.2f}";
 inline constexpr Text kThrust = "thrust: {:.0f} % of maximum{}";
-inline constexpr std::array<Text, 4> kDriveModes{"", " (braking)", " (returning home)", " (scripted flight)"};
+inline constexpr std::array<Text, 4> kDriveModes{"", " (braking)", " (returning home)", " (round trip)"};
 inline constexpr Text kEffectsOff = "off: {}", kEffectsOn = "on: {}";
 inline constexpr Text kNearerBar = "of the two bars the right one is nearer";
 }  // namespace legend
 
 // Messages on the front wall, a few seconds each.
 namespace message {
-inline constexpr Text kNoFlight = "This game has no scripted flight.";
-inline constexpr Text kFlightUnderWay = "The scripted flight is under way already.";
+inline constexpr Text kNoFlight = "This game has no round trip.";
+inline constexpr Text kFlightUnderWay = "The round trip is under way already.";
 inline constexpr Text kFlightBeginsAtRest =
-    "The scripted flight begins at rest: brake (Space) or return to the table (Home) first.";
+    "The round trip begins at rest: brake (Space) or return to the table (Home) first.";
 inline constexpr Text kFlightFinished = "Flight finished: {:.1f} s on the table's clocks, {:.1f} s on yours.";
 inline constexpr Text kFlightInterrupted = "Flight interrupted: you drive yourself.";
 inline constexpr Text kFarFromTable = "You have left the table far behind. Home brings you back.";
@@ -116,17 +127,18 @@ inline constexpr Text kAnswerFirst = "Answer the question first, or skip it.";
 inline constexpr Text kNoVelocities = "F2 to F4 choose a velocity in lessons that offer some.";
 inline constexpr Text kNoSuchKey = "This key does nothing here. H lists the keys.";
 inline constexpr Text kNoLesson = "There is no lesson in today's programme.";
+inline constexpr Text kNoTasks = "There are no tasks in today's programme.";
 inline constexpr Text kNoShow = "This show is not in today's programme.";
 inline constexpr Text kWayHome = "table, {} m away";
 inline constexpr Text kTimeStands = "Nothing can be struck while time stands still or in a lesson";
 inline constexpr Text kPuckBehind = "The puck is behind your hand: point the other way";
-inline constexpr Text kNoPuck = "There is no puck where you point";
+inline constexpr Text kNoPuck = "Point at a puck, then drag back";
 inline constexpr Text kDeviceLost = "The {} is lost: no stroke";
 inline constexpr Text kStoppedStroke = "Time stands still: no stroke";
 inline constexpr Text kLetGo = "Let go: no stroke";
 inline constexpr Text kBeforeGame = "No stroke: where your hand is, the game has not begun yet";
 inline constexpr Text kStroke =
-    "{}: p = {:.2g} kg m/s{}, kinetic energy {:.2g} mc²; the stroke reaches it in {:.1f} s";
+    "Your stroke runs to {} at the speed of light: {:.1f} s there, {:.1f} s back{}";
 inline constexpr Text kRightOfCentre = ", {:.0f} mm right of its centre";
 inline constexpr Text kLeftOfCentre = ", {:.0f} mm left of its centre";
 inline constexpr Text kOutOfReach = "No stroke: {} can no longer be reached from here";
@@ -146,6 +158,84 @@ namespace cue {
 inline constexpr std::array<Text, 4> kMarks{"0.5 c", "0.8 c", "0.9 c", "0.95 c"};
 inline constexpr Text kSpeed = "{:.2f} c", kEnergy = "{:.2f} mc^";
 }  // namespace cue
+
+// The pages of a class that answers by phone: what app/classroom/pages names, and what phones are told.
+namespace phone {
+struct Named {
+  Text name, words;
+};
+inline constexpr std::array<Named, 12> kPage{{{"title", "Class"},
+                                              {"connecting", "Connecting …"},
+                                              {"noScript", "This page needs JavaScript. Please turn it on."},
+                                              {"pin", "The teacher's PIN, as the console shows it"},
+                                              {"enter", "Enter"},
+                                              {"answer", "Your answer"},
+                                              {"sure", "How sure are you?"},
+                                              {"why", "Why? (if you like, at most 200 letters)"},
+                                              {"send", "Send my answer"},
+                                              {"teacher", "Teacher"},
+                                              {"reasons", "Reasons that were given"},
+                                              {"privacy",
+                                               "Answers carry no names. They stay on the computer of this "
+                                               "room, and the Wi-Fi is the room's own. Write "
+                                               "nothing personal."}}};
+inline constexpr std::array<Named, 18> kScript{
+    {{"connecting", "Connecting …"},
+     {"away", "The connection is gone. Trying again …"},
+     {"joined", "Joined"},
+     {"idle", "Wait for the question"},
+     {"vote", "Vote {} of 2"},
+     {"closed", "Vote {} is closed"},
+     {"discuss", "Discuss it with your neighbours"},
+     {"shown", "Watch the wall"},
+     {"explained", "The explanation"},
+     {"count", "{} of {} have answered"},
+     {"phones", "Phones that have joined: {}"},
+     {"counted", "Your vote is counted: {}. You may change it until the vote is closed."},
+     {"yours", "Your answer: {}."},
+     {"first", "Your first answer: {}."},
+     {"right", "✓ correct"},
+     {"bar", "Vote {}: {}"},
+     {"chooseFirst", "Choose an answer first."},
+     {"taken", "Somebody else has entered the PIN and is the teacher now."}}};
+inline constexpr std::array<Text, 4> kConfidence{"Guessed", "Unsure", "Fairly sure", "Certain"};
+// The teacher's steps, in the order of ClassStep.
+inline constexpr std::array<Text, 7> kSteps{"Ask",     "Close the vote", "Discuss",    "Vote again",
+                                            "Show it", "Explain",        "Next lesson"};
+inline constexpr Text kNoMessage = "That could not be understood.";
+inline constexpr Text kHelloFirst = "Join first.";
+inline constexpr Text kVoteClosed = "This vote is closed.";
+inline constexpr Text kAnswerFirst = "Answer first.";
+inline constexpr Text kTeacherOnly = "Only the teacher can do that.";
+inline constexpr Text kWrongPin = "This is not the PIN.";
+inline constexpr Text kTooManyPins = "Too many wrong PINs. Try again in a minute.";
+inline constexpr Text kFull = "The class is full.";
+inline constexpr Text kNotNow = "That is not possible now.";
+inline constexpr Text kNoQuestion = "This game asks no question. Choose a lesson.";
+inline constexpr Text kTooFew = "Fewer than {} answers: nobody sees how they were given.";
+inline constexpr Text kHintFew = "{:.0f} % right: explain, or give a hint, before you go on.";
+inline constexpr Text kHintDiscuss = "{:.0f} % right: let them discuss, then vote again.";
+inline constexpr Text kHintMany = "{:.0f} % right: show it.";
+inline constexpr Text kHintShow = "{:.0f} % right after the discussion: show it.";
+/// Words for rooms, easily told apart when they are read aloud.
+inline constexpr std::array<Text, 40> kRoomWords{
+    "ANCHOR", "APPLE",  "BANJO",  "BEAVER", "CACTUS", "CANDLE", "CHERRY", "COMET",  "DOLPHIN", "EAGLE",
+    "FERRY",  "GARLIC", "GINGER", "HAMMER", "HARBOR", "IGLOO",  "JACKET", "KIWI",   "LADDER",  "LEMON",
+    "MAGNET", "MANGO",  "MEADOW", "NUTMEG", "OCEAN",  "OLIVE",  "ORANGE", "PANDA",  "PEPPER",  "PIANO",
+    "PILOT",  "QUARTZ", "RIVER",  "SALMON", "SPIDER", "TIGER",  "TULIP",  "VIOLIN", "WALNUT",  "ZEBRA"};
+}  // namespace phone
+
+// A class on the front wall.
+namespace classroom {
+inline constexpr Text kJoin = "Join by phone:", kRoom = "Room {}";
+inline constexpr Text kPhones = "phones: {}";
+inline constexpr Text kVote = "Vote {}:  {} of {} answered";
+inline constexpr Text kClosed = "Vote {} is closed:  {} answered";
+inline constexpr Text kDiscuss = "Discuss it, then vote again";
+inline constexpr Text kTooFew = "Too few answers to show how they were given";
+inline constexpr std::array<Text, 2> kVotes{"vote 1", "vote 2"};
+inline constexpr Text kRight = "✓";
+}  // namespace classroom
 
 // The latency overlay. Parts in the order of FramePart, states in that of LockState.
 namespace latency {
@@ -190,6 +280,7 @@ inline constexpr Text kMyNow = "ghosts: now, in my frame";
 inline constexpr Text kPaths = "paths", kEvents = "events", kClocks = "clocks";
 inline constexpr Text kRuler = "ruler", kAngles = "angles";
 inline constexpr Text kStrain = "strain of soft pucks", kHeat = "heat of soft pucks";
+inline constexpr Text kNews = "rings of news at each hit";
 inline constexpr Text kSplit = "Newton beside Einstein";
 inline constexpr Text kRightRetardation = "right half: light delay";
 inline constexpr Text kRightContraction = "right half: contraction";
@@ -208,9 +299,9 @@ inline constexpr Text kVelocities = "the velocities that a lesson offers";
 inline constexpr Text kRestart = "restart this game";
 inline constexpr Text kShowMe = "Show me: relativity in a minute";
 inline constexpr Text kLessons = "Lessons: the next one";
-inline constexpr Text kPlay = "Play: the game of the beginning";
+inline constexpr Text kPlay = "Play: back to the table";
 inline constexpr Text kNextVisitor = "the next visitor: everything as at the beginning";
-inline constexpr Text kFlight = "start the scripted flight";
+inline constexpr Text kFlight = "start the round trip";
 inline constexpr Text kPatterns = "patterns";
 inline constexpr Text kBlack = "black walls";
 inline constexpr Text kSwapEyes = "swapped eyes";
@@ -261,6 +352,12 @@ inline constexpr Text kLightWalls = "Light the walls   B", kBlackWalls = "Black 
 inline constexpr Text kBlackTip = "All walls black at once, and lit again. The game goes on.";
 inline constexpr Text kGamesTab = "Games", kTrackersTab = "Trackers", kLatencyTab = "Latency";
 inline constexpr Text kEventsTab = "Events", kDiagramTab = "Diagram", kRecordingTab = "Recording";
+inline constexpr Text kClassTab = "Class";
+inline constexpr Text kClassPage = "{}teacher", kClassCounted = "{}:  {}";
+inline constexpr Text kClassJoin = "Phones", kClassTeacher = "Teacher's page", kClassPin = "PIN {}";
+inline constexpr Text kClassTeacherTip =
+    "Whoever enters the PIN there leads the class, in the place of the one before.";
+inline constexpr Text kClassCount = "{} phones, {} answered";
 inline constexpr Text kSaidAt = "{:7.1f} s";
 inline constexpr Text kKeys = "Keys";
 inline constexpr Text kKeysWhere = "In this window and in any of this computer's walls.";
@@ -329,6 +426,9 @@ inline constexpr Text kAnglesTip = "The angles between the outgoing paths of two
 inline constexpr Text kStrainTip =
     "Soft pucks in colours: blue where their matter is pressed, red where it is stretched.";
 inline constexpr Text kHeatTip = "Soft pucks in colours of their heat, from dark through red to yellow.";
+inline constexpr Text kNewsTip =
+    "Rings over the cloth, in both pucks' colours: how far the news of each hit has come at the speed of "
+    "light.";
 inline constexpr Text kOn = "on", kLeft = "left", kRight = "right", kKeyColumn = "keys";
 inline constexpr Text kRightTip =
     "For the right half of every wall, when it is drawn otherwise (\"Newton beside Einstein\").";
@@ -380,7 +480,7 @@ inline constexpr Text kSkip = "Skip the question", kNext = "Next";
 inline constexpr Text kPlayBegins = "Play begins it.";
 inline constexpr Text kPlayBeginsLesson = "A lesson. Play begins it, with its question:";
 inline constexpr Text kPucksAndLight = "{} pucks, light at {:.4g} m/s";
-inline constexpr Text kStartFlight = "Start the scripted flight";
+inline constexpr Text kStartFlight = "Start the round trip";
 inline constexpr Text kStartFlightTip = "The room moves as the scenario prescribes.";
 
 // Recording.

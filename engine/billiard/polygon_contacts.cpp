@@ -152,30 +152,29 @@ void PolygonPair::kickElsewhere(const GameState& game, const PuckPair& who, cons
 void PolygonPair::sendBack(const GameState& game, const PuckPair& who, const PairContact& contact,
                            const std::array<LegState, 2>& turn, PairOutcome& outcome) const {
   if (!areBothPolygons(game, who[0], who[1])) return;
-  const SpinningPairKick& before = outcome.kick;
   std::array<std::vector<MovingShape>, 2> flights;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
     flights[k].push_back(game.followedShape(i));
     for (const CommittedLeg& decided : game.pucks[i].decided)
       flights[k].push_back(game.shapeOn(i, decided.leg, decided.turning));
-    const Turning turning = game.turningAt(i, turn[k].properTime);
-    const Leg leg{turn[k].x, before.centres.u[k], turn[k].properTime, game.rules.brake};
-    flights[k].push_back(game.shapeOn(i, leg, {before.j[k], turning.angle}));
+    const Leg leg{turn[k].x, outcome.kick.centres.u[k], turn[k].properTime, game.rules.brake};
+    const double angle = game.turningAt(i, turn[k].properTime).angle;
+    flights[k].push_back(game.shapeOn(i, leg, {outcome.kick.j[k], angle}));
   }
   if (!partElsewhere(flights, *game.persistentContact(who[0], who[1]))) return;
   PairContact central = contact;
-  central.n = before.centres.u[1] - turn[1].u;
+  central.n = outcome.kick.centres.u[1] - turn[1].u;
   central.n = central.n - contact.U * dot(contact.U, central.n);
   central.central = true;
-  const auto next = kick(game, who, central, before.centres.u, before.j, outcome.restitution);
-  if (next && next->centres.closing > kResting) outcome.add(*next);
+  const auto back = kick(game, who, central, outcome.kick.centres.u, outcome.kick.j, outcome.restitution);
+  if (back && back->centres.closing > kResting) outcome.add(*back);
 }
 
 // On the legs that both follow.
 void PolygonPair::noteContact(GameState& game, const PuckPair& who, const PairContact& contact) const {
   const PersistentContact now{
-      {game.followedShape(who[0]), game.followedShape(who[1])}, contact.event, contact.n};
+      {game.followedShape(who[0]), game.followedShape(who[1])}, contact.event, contact.n, false};
   if (const PersistentContact* const earlier = game.persistentContact(who[0], who[1])) {
     const double time = dot(contact.U, contact.event - now.flights[0].start);
     if (!areBothPolygons(game, who[0], who[1]) ||

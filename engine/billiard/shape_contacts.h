@@ -71,8 +71,8 @@ class PairContacts {
                                                const std::array<double, 2>& j, double restitution) const = 0;
   /// Adds the kicks at other places that belong to the impact.
   virtual void kickElsewhere(const GameState&, const PuckPair&, const PairContact&, PairOutcome&) const {}
-  /// Adds the kick that sends bodies back that would part elsewhere, which turn like this; the contact is
-  /// noted.
+  /// Adds the kick without which they would part on another side than that on which they touch, once they
+  /// have turned. After `noteContact`.
   virtual void sendBack(const GameState&, const PuckPair&, const PairContact&, const std::array<LegState, 2>&,
                         PairOutcome&) const {}
   /// Notes a contact that kicks them.

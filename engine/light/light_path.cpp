@@ -1,6 +1,7 @@
 #include "engine/light/light_path.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carom {
 
@@ -43,6 +44,18 @@ double seenAlong_m(double start_s, std::span<const Vec3> path_m, const Event& ob
 
 double reached_m(double start_s, std::span<const Vec3> path_m, double t_s, double c_m_s) {
   return std::clamp(c_m_s * (t_s - start_s), 0.0, lengthOf(path_m));
+}
+
+// |d + c β s| = c (τ + s) with d = r − r_e, τ = t − t_e: (1 − β²) (c s)² + 2 (c τ − d·β) c s − (d² − c² τ²) =
+// 0 has one root s ≥ 0 where light is short of the point, c τ < |d|. It is written so that nothing cancels.
+Event lightMeets(const Event& from, const Event& at, const Vec3& beta, double c_m_s) {
+  const Vec3 away_m = at.r_m - from.r_m;
+  const double gone_m = c_m_s * (at.t_s - from.t_s), left_m2 = glm::dot(away_m, away_m) - gone_m * gone_m;
+  if (gone_m > 0.0 && !(left_m2 > 0.0)) return at;
+  const double a = 1.0 - glm::dot(beta, beta), b_m = gone_m - glm::dot(away_m, beta);
+  const double root_m = std::sqrt(b_m * b_m + a * left_m2);
+  const double still_m = b_m > 0.0 ? left_m2 / (b_m + root_m) : (root_m - b_m) / a;
+  return {at.t_s + still_m / c_m_s, at.r_m + still_m * beta};
 }
 
 }  // namespace carom

@@ -30,4 +30,8 @@ double seenAlong_m(double start_s, std::span<const Vec3> path_m, const Event& ob
 /// Returns how far along the path the pulse is at board time `t_s`, within the path.
 double reached_m(double start_s, std::span<const Vec3> path_m, double t_s, double c_m_s);
 
+/// Returns the event at which light from `from` meets a point that is at `at` and moves on with `beta` (v/c);
+/// `at` itself, if the light has passed it by then.
+Event lightMeets(const Event& from, const Event& at, const Vec3& beta, double c_m_s);
+
 }  // namespace carom

@@ -1,16 +1,12 @@
 #include "engine/light/point_emission.h"
 
 namespace carom {
-namespace {
 
-/// ν_seen/ν_emitted = (k·u_observer)/(k·u_source), with k along the light from source to observer.
 double dopplerFactor(const Displacement& emissionFromEye, const Vec3& uSource, const Vec3& uObserver) {
   const double distance_m = glm::length(emissionFromEye.dr_m);
   const Vec3 k = distance_m > 0.0 ? -emissionFromEye.dr_m / distance_m : Vec3(0.0);
   return (gammaFromU(uObserver) - glm::dot(uObserver, k)) / (gammaFromU(uSource) - glm::dot(uSource, k));
 }
-
-}  // namespace
 
 PointEmission::PointEmission(const WorldLine& line, const Vec3& offset_m)
     : c_m_s_(line.lightSpeed_m_s()), appears_s_(line.appears_s()), history_(vertexHistory(line, offset_m)) {}

@@ -9,6 +9,10 @@
 
 namespace carom {
 
+/// Returns ν_seen/ν_emitted = (k·u_observer)/(k·u_source), with k along the light from source to observer.
+/// Where they meet, that of light from the side.
+double dopplerFactor(const Displacement& emissionFromEye, const Vec3& uSource, const Vec3& uObserver);
+
 /// A point's whole world line, computed once: each observation then costs as many steps as the number of its
 /// pieces has binary digits, and no memory.
 class PointEmission {

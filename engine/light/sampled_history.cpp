@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "engine/light/point_emission.h"
+
 namespace carom {
 
 SampledHistory::SampledHistory(double c_m_s, std::vector<double> times_s, std::vector<Vec3> places_m,
@@ -63,9 +65,7 @@ std::optional<Emission> SampledHistory::seenAt(std::size_t vertex, const Event& 
   result.event = observation + fromEye;
   result.seen = headFromBoard * fromEye;
   result.u = shiningU(row, vertex, s, dX / std::sqrt(A));
-  // ν_seen/ν_emitted = distance in the head's frame over that in the vertex's, along the ray.
-  const double inVertex_m = glm::dot(fromEye.dr_m, result.u) - c_m_s_ * fromEye.dt_s * gammaFromU(result.u);
-  result.doppler = glm::length(result.seen.dr_m) / inVertex_m;
+  result.doppler = dopplerFactor(fromEye, result.u, headFromBoard.inverse().u());
   result.properTime_s = properTime_s(row, vertex) + s * std::sqrt(A) / c_m_s_;
   return result;
 }

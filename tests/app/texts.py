@@ -14,7 +14,7 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 CATALOGUE = "cave/texts/texts.h"
-SCANNED = ["app/console", "app/hand", "app/input", "app/operator", "app/play", "app/report", "app/session", "app/viewer",
+SCANNED = ["app/classroom", "app/console", "app/hand", "app/input", "app/operator", "app/play", "app/report", "app/session", "app/viewer",
            "cave/display", "cave/overlay", "cave/render", "cave/spectator"]
 # Rows of this room name texts for the others.
 NAMING = ["cave/record"]
@@ -30,6 +30,12 @@ NOT_SHOWN = {
     "keyFor", "Box", "kDriveModes", "decision.notes.push_back",
 }
 OWN_WORDS = {
+    "app/classroom/class_address.cpp": "messages of the command line about addresses",
+    "app/classroom/class_flow.h": "names of the teacher's steps, as pages send them",
+    "app/classroom/class_pages.cpp": "names in pages and signs of HTML",
+    "app/classroom/class_server.cpp": "names of HTTP, and messages of the command line",
+    "app/classroom/classroom_messages.cpp": "keys of the messages to pages",
+    "app/classroom/phone_message.cpp": "keys of the messages of pages",
     "app/operator/command.cpp": "names and values of commands, as session files and their log hold them",
     "app/operator/visitor_choices.h": "names of shipped games",
     "app/report/chart_file.cpp": "SVG",

@@ -5,8 +5,8 @@
 // COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined
 // or not are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it
 // has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; GHOST,
-// the body is shown at one moment and is not lit; FOLLOWED, its points move by themselves and have been
-// solved for.
+// the body is shown at one moment and is not lit; LAMPS, the only light is that of lamps that go on, as it
+// arrives; FOLLOWED, its points move by themselves and have been solved for.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
@@ -41,11 +41,22 @@ out vec3 surface;
 #ifdef GHOST
 out vec3 fromEye_m;   // where it is drawn
 #else
+#ifdef LAMPS
+uniform vec3 lampsFromEye_m[3];
+uniform vec3 lampsOn_m;     // c (t_on − t_o)
+uniform vec3 lampLights[3]; // linear
+out vec3 fromEyeOnBoard_m;  // the way back along which the light came
+out LIGHT lampLight0, lampLight1, lampLight2;  // as `light`, of each lamp once its light has arrived
+#ifndef MATT
+out SHINE lampShine0, lampShine1, lampShine2;
+#endif
+#else
 out LIGHT light;      // received by the surface: times its colour is what the eye receives (linear)
+#endif
 #ifdef GLOWS
 out LIGHT glow;       // the same for light of its own
 #endif
-#ifndef MATT
+#if !defined(MATT) && !defined(LAMPS)
 out SHINE shine;      // mirrored to the eye by its varnish
 #endif
 // 0 to 1: how bright it is as if it were painted evenly, and set off from parts of another tint.
@@ -58,6 +69,23 @@ out float boardTime_m;  // c (t − t_o) of the emission
 // Uniforms, handed on: llvmpipe reads those of pixels one by one, with a check for each.
 flat out vec3 colour;
 flat out vec3 exposure;
+
+#if defined(LAMPS) && !defined(GHOST)
+/// Whether the light of a lamp had arrived at a place, given from the eye, when that sent the light that the
+/// eye receives: c (t − t_o) ≥ c (t_on − t_o) + |r − r_lamp|.
+bool isLitBy(int i, vec3 way_m) {
+  float sent_m = RETARDED ? -length(way_m) : 0.0;
+  return sent_m >= lampsOn_m[i] + length(way_m - lampsFromEye_m[i]);
+}
+
+LIGHT tinted(LIGHT received, vec3 lamp) {
+#ifdef COLOUR
+  return mat3(lamp * received[0], lamp * received[1], lamp * received[2]);
+#else
+  return lamp * received;
+#endif
+}
+#endif
 
 const float kLampStrength_m2 = 1.1;  // light on a surface at 1 m that faces the lamp
 
@@ -189,13 +217,18 @@ void lightUp(Sight sight) {
   // mean cosine: from direction n of the body's sky D = 1/(γ − u·n).
   float hallToBody = 1.0 / (dopplerInto(sight.gamma, sight.u, normal * (2.0 / 3.0)) *
                             dopplerInto(sight.turning.x, sight.turning.yzw, normal * (2.0 / 3.0)));
+#ifdef LAMPS
+  fromEyeOnBoard_m = fromEye_m;
+  LIGHT lampLight[3];
+  SHINE lampShine[3];
+#endif
   float hall = litMC.w * hallLight(normal) * headPower * radiancePower(hallToBody, COLOURED, SEARCHLIGHT);
 #ifdef COLOUR
   Bands received = added(Bands(vec4(0.0), vec2(0.0)), hall, hallSpectrum(hallToBody * toHead));
-#else
+#elif !defined(LAMPS)
   light = vec3(hall);
 #endif
-#ifndef MATT
+#if !defined(MATT) && !defined(LAMPS)
   shine = SHINE(0.0);
 #endif
   for (int i = 0; i < 3; ++i) {
@@ -209,7 +242,21 @@ void lightUp(Sight sight) {
     float mirrored = max(dot(normal, normalize(toLamp + toEye)), 0.0);
     float varnish = facing > 0.0 ? gloss * strength * pow(mirrored, 60.0) : 0.0;
 #endif
+#ifdef LAMPS
 #ifdef COLOUR
+    Bands lamp = lampSpectrum(lampToBody * toHead);
+    Bands ofLamp = added(Bands(vec4(0.0), vec2(0.0)), kLampPower * strength * facing, lamp);
+    lampLight[i] = tinted(seenColour(0, ofLamp, toHead), lampLights[i]);
+#ifndef MATT
+    lampShine[i] = kLampPower * varnish * seenWhite(lamp) * lampLights[i];
+#endif
+#else
+    lampLight[i] = kLampColour * lampLights[i] * (strength * facing);
+#ifndef MATT
+    lampShine[i] = varnish * dot(lampLights[i], vec3(1.0 / 3.0));
+#endif
+#endif
+#elif defined(COLOUR)
     Bands lamp = lampSpectrum(lampToBody * toHead);
     received = added(received, kLampPower * strength * facing, lamp);
 #ifndef MATT
@@ -222,7 +269,12 @@ void lightUp(Sight sight) {
 #endif
 #endif
   }
-#ifdef COLOUR
+#ifdef LAMPS
+  lampLight0 = lampLight[0], lampLight1 = lampLight[1], lampLight2 = lampLight[2];
+#ifndef MATT
+  lampShine0 = lampShine[0], lampShine1 = lampShine[1], lampShine2 = lampShine[2];
+#endif
+#elif defined(COLOUR)
   light = seenColour(0, received, toHead);
 #endif
 #ifdef GLOWS
@@ -261,12 +313,20 @@ Sight shadowed(Sight sight, Sight centre, out float share) {
   vec3 at = eyeOnBoard_m + fromEye_m;
   int sort = int(surfaceMC.y + 0.5);
   vec3 n = vec3(0.0, 0.0, -1.0);
+#ifdef LAMPS
+  float all = 1e-6;
+  share = 0.0;
+#else
   float all = hallLight(-n);
   share = all;
+#endif
   for (int i = 0; i < 3; ++i) {
     vec3 way = at - lamps_m[i];
     vec3 ray = normalize(way);
     float strength = lampStrength(way) * max(-ray.z, 0.0);
+#ifdef LAMPS
+    strength *= isLitBy(i, fromEye_m) ? dot(lampLights[i], vec3(1.0 / 3.0)) : 0.0;
+#endif
     all += strength;
     if (i != sort) continue;
     n = ray;
@@ -339,10 +399,14 @@ void main() {
   fromEye_m = sight.drawn;
 #else
   lightUp(sight);
+#ifdef LAMPS
+  tone = tint / 2.6;
+#else
   float bright = eyeExposure.x * max(dot(light * partColour, vec3(0.2126, 0.7152, 0.0722)), 0.0);
 #ifdef GLOWS
   bright += eyeExposure.x * dot(glow * partColour, vec3(0.2126, 0.7152, 0.0722));
 #endif
   tone = (tint + 0.6 * bright / (bright + 0.2)) / 2.6;  // those of different tints never agree
+#endif
 #endif
 }

@@ -3,11 +3,22 @@
 in vec3 place;          // in the body's rest frame, from its centre (metres)
 in vec3 surface;        // what the model says for painting
 #ifndef GHOST
+#ifdef LAMPS
+in LIGHT lampLight0, lampLight1, lampLight2;  // as `light`, of each lamp once its light has arrived
+#ifndef MATT
+in SHINE lampShine0, lampShine1, lampShine2;
+#endif
+in vec3 fromEyeOnBoard_m;        // the way back along which the light came
+uniform vec3 lampsFromEye_m[3];
+uniform vec3 lampsOn_m;          // c (t_on − t_o)
+uniform vec3 lampLights[3];
+#else
 in LIGHT light;         // times the share reflected is what the eye receives (linear)
+#endif
 #ifdef GLOWS
 in LIGHT glow;          // times light of its own is that
 #endif
-#ifndef MATT
+#if !defined(MATT) && !defined(LAMPS)
 in SHINE shine;         // mirrored by its varnish
 #endif
 in float tone;          // of its surface, as if it were painted evenly
@@ -68,6 +79,33 @@ vec3 shown(vec3 linear) {
   return toScreen(x * (1.0 + exposure.y * x) / (1.0 + exposure.z * x));
 }
 
+#if defined(LAMPS) && !defined(GHOST)
+/// Which lamps' light had arrived here when this place sent the light that the eye receives. That event lies
+/// on the eye's past cone, so c (t − t_o) = −|r − r_o|, exact in every pixel; the phase of lamp i is
+///   c (t − t_o) − |r − r_i| − c (t_on,i − t_o)
+/// and its edge is as wide as a pixel.
+vec3 arrivedLamps() {
+  float sent_m = RETARDED ? -length(fromEyeOnBoard_m) : 0.0;
+  vec3 way_m = vec3(length(fromEyeOnBoard_m - lampsFromEye_m[0]), length(fromEyeOnBoard_m - lampsFromEye_m[1]),
+                    length(fromEyeOnBoard_m - lampsFromEye_m[2]));
+  vec3 phase_m = sent_m - way_m - lampsOn_m;
+  return clamp(phase_m / max(fwidth(phase_m), 1e-6) + 0.5, 0.0, 1.0);
+}
+
+#ifdef BULB
+/// The light of the bulb that is here, if it is on: other lamps of the hall stay dark.
+vec3 ofBulbs(vec3 arrived) {
+  const float kBulb_m = 0.3;
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 3; ++i) {
+    if (length(fromEyeOnBoard_m - lampsFromEye_m[i]) > kBulb_m) continue;
+    sum = max(sum, arrived[i] * lampLights[i] / max(max(lampLights[i].r, lampLights[i].g), max(lampLights[i].b, 1e-3)));
+  }
+  return sum;
+}
+#endif
+#endif
+
 //CAROM::Paint
 
 void main() {
@@ -75,9 +113,21 @@ void main() {
 #ifdef GHOST
   pixel = vec4(toScreen(painted.shines), painted.cover);
 #else
+#ifdef LAMPS
+  vec3 arrived = arrivedLamps();
+  vec3 seen = arrived[0] * (lampLight0 * painted.reflects) + arrived[1] * (lampLight1 * painted.reflects) +
+              arrived[2] * (lampLight2 * painted.reflects);
+#ifndef MATT
+  seen += SHINE_COLOUR * (arrived[0] * lampShine0 + arrived[1] * lampShine1 + arrived[2] * lampShine2);
+#endif
+#else
   vec3 seen = light * painted.reflects;
 #ifndef MATT
   seen += SHINE_COLOUR * shine;
+#endif
+#endif
+#ifdef BULB
+  painted.shines *= ofBulbs(arrived);
 #endif
 #ifdef GLOWS
   seen += glow * painted.shines;

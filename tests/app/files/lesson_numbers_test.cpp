@@ -585,7 +585,6 @@ TEST(LessonNumbers, SpinningDisc) {
   const double rim_s = properTimeAt(pieceAt(history, 10.0), 10.0, c_m_s);
   const double rim = line.knots()[0].spin.omega_rad_s * radius_m / c_m_s, gamma = 10.0 / rim_s;
   EXPECT_EQ(scenario.lesson->words.right, 1u) << "less";
-  const double gap_s = 2.0 * std::numbers::pi * radius_m * rim * gamma / c_m_s;
   // What the clocks in the middle and on the rim are seen to show, cut off after tenths as they are drawn.
   const Event now = Explained(scenario).observer.middle.observation;
   const auto shown_s = [&](const Vec3& point_m) {
@@ -605,9 +604,7 @@ TEST(LessonNumbers, SpinningDisc) {
       .has(rim_s, 1)
       .has(shown_s(Vec3(0.0)), 1)
       .has(least_s, 1)
-      .has(most_s, 1)
-      .has(gap_s, 2)
-      .has(2.0, 0);
+      .has(most_s, 1);
 }
 
 TEST(LessonNumbers, SeenAtOnce) {
@@ -810,7 +807,6 @@ TEST(LessonNumbers, MassEnergy) {
       .has(2.0, 0)
       .has(masses, 1)
       .has(masses / 2.0, 2)
-      .has(heat, 1)
       .has(meeting.heat_j, 2)
       .has(mass_kg, 1)
       .has(c_m_s, 2);

@@ -49,6 +49,33 @@ TEST(Scenario, ReadsTheThreePucks) {
   EXPECT_NEAR(scenario.observer.facing_rad, std::numbers::pi / 2, kRounding);
 }
 
+TEST(Scenario, ReadsTasksAndLamps) {
+  const std::string pucks = puckText("white", 0.03, {0, 0}, {0, 0}) + puckText("red", 0.03, {0.3, 0}, {0, 0});
+  const std::string task = "[[task]]\nname = 'a'\ntext = 'b'\nstars_j = [0.1, 0.2]\n";
+  const Scenario scenario =
+      read("light_speed_m_s = 1\n" + pucks + task +
+           "goal = { hit-both = ['red', 'white'] }\nworld = 'measured'\n" +
+           "[[lamp]]\nposition_m = [1, 2, 3]\non_s = 4\ncolour = [1, 0.5, 0]\npower = 2\n");
+  ASSERT_EQ(scenario.tasks.size(), 1u);
+  EXPECT_EQ(scenario.tasks[0].goal.kind, TaskGoal::Kind::hitBoth);
+  EXPECT_EQ(scenario.tasks[0].goal.pucks, (std::vector<std::size_t>{1, 0}));
+  EXPECT_EQ(scenario.tasks[0].world, TaskWorld::measured);
+  ASSERT_EQ(scenario.lamps.size(), 1u);
+  EXPECT_EQ(scenario.lamps[0].light, glm::vec3(2.0F, 1.0F, 0.0F));
+  const auto refused = [&](const std::string& rest) {
+    EXPECT_THROW(read("light_speed_m_s = 1\n" + pucks + task + rest), InputErrors) << rest;
+  };
+  refused("");
+  refused("goal = {}\n");
+  refused("goal = { hit = 'blue' }\n");
+  refused("goal = { hit-both = ['red'] }\n");
+  refused("goal = { hit-both = ['red', 'red'] }\n");
+  refused("goal = { hit = 'red', cushions = 2 }\n");
+  refused("goal = { cushions = 0 }\n");
+  refused("goal = { hit = 'red' }\nworld = 'flat'\n");
+  refused("goal = { hit = 'red' }\n" + task + "goal = { hit = 'red' }\n");
+}
+
 TEST(Scenario, EveryShippedFileIsRight) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {

@@ -63,7 +63,7 @@ TEST(Cue, WhatCannotBeIsRefusedOnceAndInWords) {
     EXPECT_FALSE(cue.step(handOf("mouse", false), on(0), false).letGo);
     return words;
   };
-  EXPECT_EQ(refusalOf(kNothing, false), "There is no puck where you point");
+  EXPECT_EQ(refusalOf(kNothing, false), "Point at a puck, then drag back");
   EXPECT_EQ(refusalOf(behind, false), "The puck is behind your hand: point the other way");
   EXPECT_EQ(refusalOf(on(0), true), "Nothing can be struck while time stands still or in a lesson");
 }

@@ -25,6 +25,7 @@ std::vector<Case> changes() {
                           {SetEyeSeparation{0.0615}, "eye separation: 61.5 mm"},
                           {SetLightSpeed{299792458.0}, "light speed: 3e+08 m/s"},
                           {Pause{true}, "playback: paused"},
+                          {KeepTaskBest{2, 0.125}, "best of task: 3: 0.125 J"},
                           {SetRate{-0.25}, "playback rate: -0.25"},
                           {SetWalls{&WallControls::blank, true}, "walls: black"},
                           {SetWalls{&WallControls::eyesSwapped, true}, "eyes: swapped"},
@@ -52,6 +53,14 @@ TEST(Command, ChangesOneThingOnceAndSaysWhat) {
       EXPECT_EQ(toString(given.command, settings), given.words);
     }
   }
+}
+
+TEST(Command, OfATaskTheLeastEnergyIsKept) {
+  OperatorSettings settings;
+  EXPECT_TRUE(apply(KeepTaskBest{1, 0.3}, settings));
+  EXPECT_FALSE(apply(KeepTaskBest{1, 0.4}, settings));
+  EXPECT_TRUE(apply(KeepTaskBest{1, 0.2}, settings));
+  EXPECT_EQ(settings.bestOfTask_j, (std::vector<double>{0.0, 0.2}));
 }
 
 TEST(Command, SwitchesOfTheHalvesAreApart) {

@@ -188,12 +188,12 @@ TEST_F(LiveSession, NoStrokeChangesWhatWasSeen) {
     // Each stroke is told, and so is each that could not be: in the room, on standard error, in the file.
     SQLite::Database database(file().string());
     const int told = database.execAndGet("SELECT count(*) FROM input WHERE what = 'notice'").getInt();
-    const int struck =
-        database
-            .execAndGet(
-                "SELECT count(*) FROM stroke JOIN input USING (frame) WHERE what = 'notice' "
-                "AND value LIKE puck || ': p = %kg m/s, kinetic energy %mc²; the stroke reaches it in % s'")
-            .getInt();
+    const int struck = database
+                           .execAndGet(
+                               "SELECT count(*) FROM stroke JOIN input USING (frame) WHERE what = 'notice' "
+                               "AND value LIKE 'Your stroke runs to ' || puck || ' at the speed of light: % "
+                               "s there, % s back%'")
+                           .getInt();
     EXPECT_EQ(struck, database.execAndGet("SELECT count(*) FROM stroke").getInt());
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), told);
     const int first = database.execAndGet("SELECT min(frame) FROM input WHERE what = 'notice'").getInt();

@@ -64,7 +64,7 @@ class PlayersAtRest : public testing::Test {
 
   const test::LogLines log_;
   const Rig rig_ = deskRig();
-  const Scenario scenario_ = readScenario(CAROM_CONFIG_DIR "/scenarios/table.toml");
+  Scenario scenario_ = readScenario(CAROM_CONFIG_DIR "/scenarios/table.toml");
   PlayerInputs inputs_{rig_};
   RoomMotion room_{rig_, scenario_, inputs_.trackers(rig_, std::chrono::steady_clock::time_point()), {}};
   Game game_{scenario_};
@@ -81,6 +81,35 @@ TEST_F(PlayersAtRest, AStrokeIsCountedAndNoted) {
   ASSERT_EQ(decision_.strokes.size(), 1U);
   EXPECT_EQ(decision_.strokes[0].stroke.puck, 0U);
   EXPECT_EQ(record.viewers[0].score.strokes, 1U);
+}
+
+/// The desk's mouse, this far beside a place that lies in front of the eye.
+DeskInput beside(const EyeView& eye, const Vec3& place_m, double aside_m, bool held) {
+  const Vec3 way_m = place_m - eye.positionInRoom_m;
+  const Vec3 right = glm::normalize(glm::cross(way_m, Vec3(0.0, 1.0, 0.0)));
+  DeskInput desk;
+  desk.mouse = PointedWall{eye.positionInRoom_m + glm::normalize(way_m + aside_m * right), Eye::middle};
+  desk.mouseHeld = held;
+  return desk;
+}
+
+// The ring around the puck that a newcomer is offered is 12 cm in radius, the puck 5 cm.
+TEST_F(PlayersAtRest, APressWithinTheRingTakesTheRingedPuckAndOneBesideItDoesNot) {
+  scenario_.choices = true;
+  for (const auto& [aside_m, takes] : {std::pair{0.09, true}, {0.14, false}}) {
+    SCOPED_TRACE(aside_m);
+    act({});
+    const auto press = [&](bool held) {
+      const ViewerState& own = decision_.frame.record.viewers[0];
+      const Vec3 puck_m =
+          aim_.seenInRoom_m(game_.pucks()[0], {own.observer, Eye::middle, decision_.frame.record.switches});
+      return act(beside(own.observer.middle, puck_m, aside_m, held)).viewers[0].hand;
+    };
+    press(false);
+    press(true);
+    EXPECT_EQ(press(true).pulling != 0, takes);
+    press(false);
+  }
 }
 
 TEST_F(PlayersAtRest, WhileTimeStandsNothingIsStruck) {

@@ -189,7 +189,7 @@ class ReferenceRig {
     auto shown = std::make_unique<DisplayWalls>(graphics_, scene_, scenario_.billiard.lightSpeed_m_s, walls,
                                                 std::nullopt, false);
     shown->setRoom(roomGeometryOf(rig_));
-    shown->overlays().setTable(scenario_.billiard.board.has_value());
+    shown->overlays().setOffers(offersOf(scenario_));
     return shown;
   }
 

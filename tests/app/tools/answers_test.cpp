@@ -92,5 +92,39 @@ TEST_F(Answers, AreAFileAndASummary) {
   EXPECT_NE(missing.err.find("none.db"), std::string::npos) << missing.err;
 }
 
+/// A class of seven votes on a lesson, then four discuss it and vote again.
+TEST_F(Answers, CountTheVotesOfAClass) {
+  const Lesson lesson = *readScenario(scenario_).lesson;
+  {
+    SessionFacts facts = kFacts;
+    facts.scenario = scenario_;
+    facts.scenarioText = contentOf(scenario_);
+    facts.hasClass = true;
+    Journal journal(file_, facts, false);
+    const auto vote = [&](int round, int phone, std::size_t answer) {
+      journal.addVote(1, {round, lesson.words.title, lesson.words.question, "phone" + std::to_string(phone),
+                          lesson.words.answers[answer], 2, 3.0, ""});
+    };
+    for (const int phone : {1, 2, 3, 4, 5, 6, 7}) vote(1, phone, phone < 6 ? 0 : lesson.words.right);
+    for (const int phone : {1, 2, 3, 4}) vote(2, phone, lesson.words.right);
+    for (const std::uint64_t number : {0, 1, 2})
+      journal.add(frameOf(number), std::vector<HeadEstimate>(1), {});
+  }
+  const std::vector<VotedQuestion> questions = votesOf({file_});
+  ASSERT_EQ(questions.size(), 1U);
+  EXPECT_EQ(questions[0].all, (std::array<std::size_t, 2>{7, 4}));
+  ASSERT_EQ(questions[0].answers.size(), lesson.words.answers.size());
+  EXPECT_EQ(questions[0].answers[0].count, (std::array<std::size_t, 2>{5, 0}));
+  EXPECT_EQ(questions[0].answers[lesson.words.right].count, (std::array<std::size_t, 2>{2, 4}));
+  EXPECT_EQ(questions[0].answers[lesson.words.right].isRight, true);
+  const auto printed = runCarom(folder_, {"answers", file_.string()});
+  EXPECT_NE(printed.out.find("       5       -  wrong  " + lesson.words.answers[0]), std::string::npos)
+      << printed.out;
+  EXPECT_NE(printed.out.find("       2       -  right  "), std::string::npos)
+      << "four votes have no distribution: " << printed.out;
+  EXPECT_NE(printed.out.find("  phones that voted: 7, then 4\n"), std::string::npos) << printed.out;
+  EXPECT_EQ(printed.out.find("nobody was asked"), std::string::npos) << printed.out;
+}
+
 }  // namespace
 }  // namespace carom

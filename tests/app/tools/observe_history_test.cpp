@@ -99,6 +99,20 @@ TEST(ObserveHistory, PlacesOfSoftPucksAreSeenWhereTheirMatterIs) {
   EXPECT_NEAR(1.42 * (0.56 - t_s), std::sqrt(x * x + y * y + z * z), 1e-13);
 }
 
+// Table programs write a mark of UTF-8 and lines that end with CR LF. An eye where the vertex is sees it
+// there.
+TEST(ObserveHistory, ATableOfAnotherProgramIsReadAndAVertexIsMet) {
+  const TemporaryFolder folder;
+  folder.file("thing.csv", "\xEF\xBB\xBFt_s,x0_m,y0_m,z0_m\r\n0,0,0,0\r\n2,0,0,0\r\n");
+  const json seen = test::answerOf(folder, "observe",
+                                   "light_speed_m_s = 1.0\n[[body]]\nname = \"thing\"\nhistory = "
+                                   "\"thing.csv\"\n",
+                                   {"--event", "1", "0", "0", "0", "--vertex", "thing", "0"})["points"][0];
+  EXPECT_EQ(seen["emission"]["t_s"], 1.0);
+  EXPECT_EQ(seen["distance_m"], 0.0);
+  EXPECT_EQ(seen["doppler"], 1.0);
+}
+
 /// Returns the words about a history.
 std::string saidOf(const std::string& history, const std::string& more = {},
                    const std::vector<std::string>& vertex = {}) {
@@ -136,9 +150,9 @@ TEST(ObserveHistory, BadHistoriesAreNamedWithTheirPlace) {
     const std::string said = saidOf(one.history);
     EXPECT_NE(said.find(one.said), std::string::npos) << one.said << "\n" << said;
   }
-  EXPECT_NE(saidOf(head + rows, "mesh = \"thing.obj\"\n")
-                .find("5:8: the mesh has 2 vertices and the history of 'thing' 1"),
-            std::string::npos);
+  const std::string ofMesh = saidOf(head + rows, "mesh = \"thing.obj\"\n");
+  EXPECT_NE(ofMesh.find("5:8: the mesh has 2 vertices and the history of 'thing' 1"), std::string::npos);
+  EXPECT_EQ(ofMesh.find("5:8"), ofMesh.rfind("5:8")) << "once: " << ofMesh;
   EXPECT_NE(saidOf(head + rows, "appears_s = 1.0\n").find("appears_s stands beside history"),
             std::string::npos);
   EXPECT_NE(saidOf(head + rows, {}, {"--vertex", "thing", "1"})

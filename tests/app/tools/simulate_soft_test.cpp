@@ -217,6 +217,13 @@ TEST(SimulateSoft, BadInputIsNamedWithItsPlace) {
              "there is no body 'nobody'"},
         Case{block + "[puck.soft]\nheld = [{ side = \"-x\", by = \"ram\" }]\n" + ram,
              "body 'ram' moves with (0.2, 0, 0) c"},
+        Case{block +
+                 "[puck.soft]\nheld = [{ side = \"-x\", by = \"ram\" }, { side = \"-x\", by = \"ram\" "
+                 "}]\n" +
+                 "[[body]]\nname = \"ram\"\nat = { t_s = 0.0, r_m = [0.0, 0.0, 0.01] }\n[[body.leg]]\nbeta = "
+                 "[0.1, 0.0, 0.0]\n",
+             "side '-x' of puck 'block' is held twice"},
+        Case{block + "[puck.soft]\nheld = [{ side = \"-x\" }]\n" + ram, "9:9: by is missing here"},
         Case{disc + "[puck.soft]\n" + rigid + "radius_m = 0.03\nspin_rad_s = 2.0\n",
              "puck 'rigid' spins beside soft"},
         Case{disc + "[puck.soft]\n" + rigid +
@@ -256,6 +263,21 @@ TEST(SimulateSoft, SaysWhatWasCrushedMoreThanCanBeComputed) {
   EXPECT_NE(result.err.find(file + ": puck 'fast' was crushed more than can be computed at t = 0.1"),
             std::string::npos)
       << result.err;
+}
+
+TEST(SimulateSoft, APointBesideARectangleIsNamed) {
+  const TemporaryFolder folder;
+  folder.file("scenario.toml", std::string(kBlock) + "[puck.soft]\n");
+  const std::string file = (folder / "scenario.toml").string();
+  const auto run = [&](const std::string& y) {
+    return runCarom(folder,
+                    {"simulate", file, "--until", "0.01", "--point", "block", "-0.04", y, "--json", "-"});
+  };
+  EXPECT_EQ(run("0.02").status, 0);
+  const test::ProgramResult beside = run("0.021");
+  EXPECT_EQ(beside.status, 2);
+  EXPECT_NE(beside.err.find("--point: (-0.04, 0.021) m is not in puck 'block'"), std::string::npos)
+      << beside.err;
 }
 
 TEST(SimulateSoft, CheckSaysWhatASoftPuckCosts) {

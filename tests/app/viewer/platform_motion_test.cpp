@@ -179,7 +179,7 @@ TEST(PlatformMotion, SteeringTakesOver) {
   Ride untold(platform(), standing);
   untold.drive.setOut();
   untold.advance();
-  EXPECT_EQ(untold.drive.takeNotice().words(), "This game has no scripted flight.");
+  EXPECT_EQ(untold.drive.takeNotice().words(), "This game has no round trip.");
   EXPECT_EQ(untold.drive.view().mode, DriveMode::free);
 }
 
@@ -194,7 +194,7 @@ TEST(PlatformMotion, ATourBeginsAtRestOnceAndSaysHowItEnded) {
   ride.advance();
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
   EXPECT_EQ(ride.drive.takeNotice().words(),
-            "The scripted flight begins at rest: brake (Space) or return to the table (Home) first.");
+            "The round trip begins at rest: brake (Space) or return to the table (Home) first.");
   for (int frame = 0; frame < 60; ++frame) ride.advance({.brake = true});
   const double board_s = ride.observer.headEvent().t_s;
   ride.drive.setOut();
@@ -202,7 +202,7 @@ TEST(PlatformMotion, ATourBeginsAtRestOnceAndSaysHowItEnded) {
   EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
   ride.drive.setOut();
   ride.advance();
-  EXPECT_EQ(ride.drive.takeNotice().words(), "The scripted flight is under way already.");
+  EXPECT_EQ(ride.drive.takeNotice().words(), "The round trip is under way already.");
   for (int frame = 0; frame < 4 * 60; ++frame) ride.advance();
   EXPECT_LT(ride.speed_u(), 1e-12);
   const double phi = 0.9 / 1.42, tour_s = 4.0 * std::sinh(phi) / phi;

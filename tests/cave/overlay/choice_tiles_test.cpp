@@ -118,6 +118,20 @@ std::vector<WallAction::Kind> kindsOf(const FrameRecord& record, const OfferedTi
   return kinds;
 }
 
+TEST(ChoiceTiles, TasksAreOfferedAfterTheFirstStrokeAndInATaskTheNextOneAndAnotherTry) {
+  using Kind = WallAction::Kind;
+  FrameRecord record;
+  record.boardFromRoom = Lorentz(1.42);
+  const std::vector<Kind> three(3, Kind::choice);
+  EXPECT_EQ(kindsOf(record, {true, false, false, false}), three);
+  record.viewers[0].score.strokes = 1;
+  EXPECT_EQ(kindsOf(record, {true, false, false, false}).back(), Kind::tasks);
+  EXPECT_TRUE(kindsOf(record, {false, false, false, false}).empty()) << "a game that offers nothing";
+  const std::vector<Kind> inTask = kindsOf(record, {true, true, false, true});
+  EXPECT_EQ(inTask, (std::vector<Kind>{Kind::choice, Kind::choice, Kind::choice, Kind::keys, Kind::nextTask,
+                                       Kind::again}));
+}
+
 TEST(ChoiceTiles, WhatKeysDoIsOfferedWhereItDoesSomething) {
   using Kind = WallAction::Kind;
   using Kinds = std::vector<Kind>;

@@ -193,6 +193,10 @@ TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
   EXPECT_EQ(said(record, kLesson)[2], "home, as seen from where they meet.");
   record.lesson.answer = 0;
   EXPECT_EQ(said(record, kLesson).size(), 3u) << "skipped: the number alone";
+  LessonWords hidden = kLesson;
+  hidden.right = hidden.answers.size();
+  record.lesson.answer = 1;
+  EXPECT_EQ(said(record, hidden)[1], "Your answer:  Neither") << "which one is right is not told";
 }
 
 TEST(HudPanel, BeginWithWhatJustHappenedAndLetItStandOut) {

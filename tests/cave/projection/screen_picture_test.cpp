@@ -81,6 +81,20 @@ double lightAt(const Image& image, int x, int y) {
                                 static_cast<std::size_t>(x))]);
 }
 
+/// A screen of four flat boards, folded like a fan by 90 mm, which four cells show exactly: places that are
+/// finished at their corners and mixed between them would slide by pixels.
+TrueScreen fan() {
+  const auto place_m = [](const glm::dvec2& place) {
+    const double folds = 4.0 * place.x, fold = std::abs(std::remainder(folds, 2.0));  // 0, 1, 0, 1, 0
+    return glm::dvec3(4.8 * place.x - 2.4, 0.1 + 2.5 * place.y, -2.0 - 0.09 * fold);
+  };
+  const TrueScreen fan{
+      "fan of boards", {1200, 500}, {}, {0.0, 1.7, 0.0}, 0.1, {}, [](const glm::dvec2&) {
+                         return true; },
+      place_m};
+  return ofCells(fan, 4, 1);
+}
+
 class ScreenPictures : public testing::Test {
  protected:
   void SetUp() override { graphics_.makeCurrent(); }
@@ -92,7 +106,9 @@ class ScreenPictures : public testing::Test {
 TEST_F(ScreenPictures, AnEdgeIsSeenWhereTheTrueSurfaceHasIt) {
   std::mt19937_64 random(43);
   std::normal_distribution<double> any;
-  for (TrueScreen& screen : std::vector{cylinder(3.0, -60.0, 40.0, {1200, 500}), dome(5.0, 20.0, 180.0)}) {
+  const TrueScreen arc = cylinder(3.0, -60.0, 40.0, {1200, 500});
+  for (const TrueScreen& screen :
+       {arc, dome(5.0, 20.0, 180.0), measured(arc, 33, 33), ofCells(arc, 100, 20), fan()}) {
     const CurvedScreen made = curved(screen);
     double most_px = 0.0;
     int edges = 0;
@@ -127,6 +143,67 @@ TEST_F(ScreenPictures, AnEdgeIsSeenWhereTheTrueSurfaceHasIt) {
     EXPECT_GT(edges, 100) << screen.name;
     fmt::print("{}: {} places of edges, at most {:.3f} px off\n", screen.name, edges, most_px);
   }
+}
+
+/// Returns the columns of the window at which a piece ends and the next begins.
+std::vector<int> seamsOf(const TrueScreen& screen, const CurvedScreen& made) {
+  std::vector<int> seams;
+  for (const FlatPiece& piece : made.pieces) {
+    double left = 1.0;
+    for (const ScreenTriangle& triangle : piece.mesh) {
+      for (const ScreenPoint& point : triangle) left = std::min(left, point.inWindow.x);
+    }
+    if (left > 0.01) seams.push_back(static_cast<int>(std::lround(left * screen.window_px.x)));
+  }
+  return seams;
+}
+
+/// Returns by how many pixels the waves of a picture are shifted about a column, as measured in some columns
+/// of it: `light` is 0.5 + 0.4 cos of the phase.
+double shift_px(const Image& window, int from, int to, double period_px) {
+  double cosine = 0.0, sine = 0.0;
+  for (int y = window.size_px.y / 4; y < window.size_px.y * 3 / 4; ++y) {
+    for (int x = from; x < to; ++x) {
+      const double phase = 2.0 * std::numbers::pi * (x + 0.5) / period_px,
+                   light = lightAt(window, x, y) - 0.5;
+      cosine += light * std::cos(phase);
+      sine += light * std::sin(phase);
+    }
+  }
+  return std::atan2(sine, cosine) * period_px / (2.0 * std::numbers::pi);
+}
+
+// Waves across a cylinder, on both sides of each line at which two pieces meet, and of the line at which the
+// windows of two screens meet.
+TEST_F(ScreenPictures, APlaceIsTheSameThroughNeighbouringPiecesAndScreens) {
+  std::mt19937_64 random(44);
+  constexpr int kPeriod_px = 16;
+  const TrueScreen left = cylinder(3.0, -50.0, 0.0, {800, 120}), right = cylinder(3.0, 0.0, 50.0, {800, 120});
+  const CurvedScreen madeLeft = curved(left), madeRight = curved(right);
+  double most_px = 0.0;
+  int seams = 0;
+  for (int round = 0; round < 6; ++round) {
+    const glm::dvec3 eye_m = eyeNear(left.middle_m, random);
+    const auto waves = [&](const TrueScreen& screen) -> Painted {
+      return [&](const glm::dvec3& along) {
+        const double x_px = screen.inWindow(eye_m, along).x * screen.window_px.x;
+        return 0.5 + 0.4 * std::cos(2.0 * std::numbers::pi * x_px / kPeriod_px);
+      };
+    };
+    const Image onLeft = windowOf(left, madeLeft, waves(left), eye_m),
+                onRight = windowOf(right, madeRight, waves(right), eye_m);
+    const auto compare = [&](const Image& before, int end, const Image& after, int begin) {
+      const double apart_px = shift_px(after, begin, begin + kPeriod_px, kPeriod_px) -
+                              shift_px(before, end - kPeriod_px, end, kPeriod_px);
+      most_px = std::max(most_px, std::abs(apart_px));
+      ++seams;
+      EXPECT_LE(std::abs(apart_px), 0.1) << "round " << round << ", at " << begin;
+    };
+    for (const int seam : seamsOf(left, madeLeft)) compare(onLeft, seam, onLeft, seam);
+    compare(onLeft, left.window_px.x, onRight, 0);
+  }
+  EXPECT_EQ(seams, 12);
+  fmt::print("{} seams of pieces and screens: at most {:.3f} px apart\n", seams, most_px);
 }
 
 // Stripes of four pixels of the window, across a cylinder: their contrast against pixels that show them

@@ -43,7 +43,7 @@ Looked lookAt(const GameEvent& event, const Event& eye, const Lorentz& headFromB
   Looked looked;
   const MarkContext sight{observer, observer.middle, switches, {}, 0, {}, {}, {&event, 1}, {}};
   LabelLayout crowd(sight);
-  addEvents(sight, crowd, looked.batch);
+  addEvents(sight, {}, crowd, looked.batch);
   for (const MarkCorner& corner : looked.batch.corners()) {
     looked.nearest_m = std::min(looked.nearest_m, static_cast<double>(glm::length(corner.drawn_m)));
     looked.markerShown = looked.markerShown || corner.what.x > 0.5F;
@@ -94,6 +94,24 @@ TEST(LightOfAFlash, IsSoFarFromItsPlaceAsLightHasGone) {
   EXPECT_GE(onCloth, 96u * 6u);
 }
 
+// The light of a flash in a puck has the puck's colour; the red one flashes here, not the blue one.
+TEST(LightOfAFlash, HasTheColourOfThePuckThatFlashes) {
+  const GameEvent flash = flashAt({1.0, {0.2, -0.1, 0.01}});
+  const auto restsAt = [](const Vec3& place_m) {
+    return WorldLine({{0.0, place_m}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s, 0.03);
+  };
+  const std::array<WorldLine, 3> lines{WorldLine(Knot{}, kC_m_s), restsAt({0.2, -0.1, 0.02}),
+                                       restsAt({0.5, 0.0, 0.02})};
+  const std::array<glm::vec3, 3> colours{glm::vec3(0.0F), {0.9F, 0.2F, 0.2F}, {0.2F, 0.2F, 0.9F}};
+  const ObserverView observer = observerAt({1.5, {0.5, -3.0, 1.2}}, Lorentz(kC_m_s));
+  const MarkContext sight{observer, observer.middle, {}, {}, 2, lines, {}, {&flash, 1}, {}};
+  LabelLayout crowd(sight);
+  MarkBuffer batch;
+  addEvents(sight, colours, crowd, batch);
+  ASSERT_GT(batch.corners().size(), 1000u);
+  for (const MarkCorner& corner : batch.corners()) ASSERT_GT(corner.colour.r, corner.colour.b);
+}
+
 TEST(EventMarkers, WithoutRetardationAreThereWhenItHappens) {
   GameEvent event = flashAt({3.0, {1.0, 0.0, 0.0}});
   event.kind = EventKind::puckPuck;
@@ -129,7 +147,7 @@ TEST(EventMarkers, OnlyTheLatestSeenStayAndTheOlderAreFainter) {
   const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, events, {}};
   LabelLayout crowd(sight);
   MarkBuffer batch;
-  addEvents(sight, crowd, batch);
+  addEvents(sight, {}, crowd, batch);
   std::sort(events.begin(), events.end(), [](const GameEvent& a, const GameEvent& b) {
     return glm::length(a.at.r_m) > glm::length(b.at.r_m);  // the furthest is seen last
   });

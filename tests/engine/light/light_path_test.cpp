@@ -44,6 +44,28 @@ TEST(LightOnItsWay, IsSeenWhereItsLightReachesTheEye) {
   EXPECT_GT(onTheWay, 1000);
 }
 
+// The light has reached the moving point when |r + β c s − r_e| = c (t + s − t_e): bisected in s.
+TEST(LightOnItsWay, MeetsAPointThatMovesOn) {
+  test::Random random(83);
+  for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
+    const Event from{random.in(-2.0, 2.0), random.inBox(2.0)};
+    const Event at{from.t_s + random.in(-0.5, 2.0), random.inBox(2.0)};
+    const Vec3 beta = random.direction() * random.in(0.0, 0.95);
+    const auto isShort = [&](double s) {
+      return kC_m_s * (at.t_s + s - from.t_s) < glm::distance(at.r_m + kC_m_s * s * beta, from.r_m);
+    };
+    double low_s = 0.0, high_s = 1e3;
+    for (int k = 0; k < 80; ++k) {
+      const double s = 0.5 * (low_s + high_s);
+      (isShort(s) ? low_s : high_s) = s;
+    }
+    const Event met = lightMeets(from, at, beta, kC_m_s);
+    ASSERT_NEAR(met.t_s - at.t_s, low_s, 1e-10 * (1.0 + low_s));
+    ASSERT_LT(glm::distance(met.r_m, at.r_m + kC_m_s * (met.t_s - at.t_s) * beta), 1e-12);
+  }
+}
+
 TEST(LightOnItsWay, SeenFromItsStartGoesAtHalfItsSpeed) {
   const std::array<Vec3, 2> path_m{{{0, 0, 0}, {2, 0, 0}}};
   for (const double t_s : {0.5, 1.0, 2.0})

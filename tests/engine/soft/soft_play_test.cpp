@@ -97,22 +97,33 @@ TEST(SoftPlay, AStrokeIsNotFeltOutsideTheFutureOfTheHand) {
   EXPECT_NEAR(play.totals(0).momentum.y, -0.2 * kMass, 1e-14);
 }
 
-// A puck that is awake flies as one that is asleep.
+// A puck that is awake flies as one that is asleep, for half a metre, and as one that has been woken a second
+// earlier.
 TEST(SoftPlay, FreeFlightIsTheSameAwakeAndAsleep) {
-  const glm::dvec2 beta(0.9 * 0.8, 0.9 * 0.6);
-  SoftPlay asleep({}), awake({});
-  for (SoftPlay* play : {&asleep, &awake}) play->add(disc("disc", 10, {0.0, 0.0}, beta));
-  SoftStroke none;  // wakes it, and gives nothing
-  none.momentum = {1e-30, 0.0};
-  awake.addStroke(none);
-  playTo(awake, 0.1);
-  EXPECT_TRUE(awake.isAwake(0));
-  for (SoftPlay* play : {&asleep, &awake}) playTo(*play, 0.5 / 0.9);
-  for (std::size_t i = 0; i < asleep.body(0).size(); ++i) {
-    EXPECT_NEAR(awake.place(0, node(i)).x, asleep.place(0, node(i)).x, 1e-12);
-    EXPECT_NEAR(awake.place(0, node(i)).y, asleep.place(0, node(i)).y, 1e-12);
-    EXPECT_NEAR(awake.clock(0, node(i)), asleep.clock(0, node(i)), 1e-12);
-    EXPECT_NEAR(asleep.clock(0, node(i)), asleep.time() * std::sqrt(1.0 - 0.81), 1e-12);
+  constexpr double kWakes = 1.42, kEnds = kWakes + 0.5 / 0.9;
+  SoftPlay asleep({}), awake({}), earlier({});
+  for (SoftPlay* play : {&asleep, &awake, &earlier})
+    play->add(disc("disc", 10, {0.0, 0.0}, {0.9 * 0.8, 0.9 * 0.6}));
+  const auto keepAwake = [](SoftPlay& play, double from) {
+    SoftStroke none;  // wakes it, and gives nothing
+    none.momentum = {1e-30, 0.0};
+    for (none.hand.t = from; none.hand.t < kEnds; none.hand.t += 0.1) play.addStroke(none);
+  };
+  keepAwake(earlier, 0.0);
+  keepAwake(awake, kWakes);
+  playTo(awake, kWakes - 0.01);
+  playTo(earlier, kWakes - 0.01);
+  EXPECT_FALSE(awake.isAwake(0));
+  EXPECT_TRUE(earlier.isAwake(0));
+  for (SoftPlay* play : {&asleep, &awake, &earlier}) playTo(*play, kEnds);
+  for (const SoftPlay* play : {&awake, &earlier}) {
+    EXPECT_TRUE(play->isAwake(0));
+    for (std::size_t i = 0; i < asleep.body(0).size(); ++i) {
+      EXPECT_NEAR(play->place(0, node(i)).x, asleep.place(0, node(i)).x, 1e-12);
+      EXPECT_NEAR(play->place(0, node(i)).y, asleep.place(0, node(i)).y, 1e-12);
+      EXPECT_NEAR(play->clock(0, node(i)), asleep.clock(0, node(i)), 1e-12);
+      EXPECT_NEAR(asleep.clock(0, node(i)), asleep.time() * std::sqrt(1.0 - 0.81), 1e-12);
+    }
   }
 }
 

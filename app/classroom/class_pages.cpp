@@ -1,0 +1,77 @@
+#include "app/classroom/class_pages.h"
+
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "app/classroom/class_flow.h"
+#include "cave/texts/texts.h"
+#include "pages/class_css.h"
+#include "pages/class_html.h"
+#include "pages/class_js.h"
+
+namespace carom {
+namespace {
+
+using Words = std::map<std::string, std::string, std::less<>>;
+
+/// Returns the text with the words of each name in the place of {{name}}.
+std::string filled(std::string_view text, const Words& words) {
+  std::string whole;
+  for (std::size_t from = 0;;) {
+    const std::size_t begins = text.find("{{", from), ends = text.find("}}", begins);
+    if (ends == std::string_view::npos) return whole += text.substr(from);
+    whole += text.substr(from, begins - from);
+    whole += words.at(std::string(text.substr(begins + 2, ends - begins - 2)));
+    from = ends + 2;
+  }
+}
+
+/// Returns the words that the script needs, as a JavaScript value.
+std::string wordsOfScript() {
+  nlohmann::json all;
+  for (const texts::phone::Named& text : texts::phone::kScript) all[text.name] = text.words;
+  for (const texts::Text step : texts::phone::kConfidence) all["confidence"].push_back(step);
+  nlohmann::ordered_json steps;
+  for (std::size_t i = 0; i < kClassSteps.size(); ++i) steps[kClassSteps[i]] = texts::phone::kSteps.at(i);
+  std::string words = all.dump();
+  words.back() = ',';  // in the place of its closing brace
+  return words + "\"steps\":" + steps.dump() + "}";
+}
+
+}  // namespace
+
+std::string htmlOf(const std::string& text) {
+  std::string safe;
+  for (const char letter : text) {
+    switch (letter) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += letter;
+    }
+  }
+  return safe;
+}
+
+ClassPages classPages(const std::string& word) {
+  Words ofPage{{"word", htmlOf(word)}, {"language", texts::kLanguage}};
+  for (const texts::phone::Named& text : texts::phone::kPage) ofPage[text.name] = htmlOf(text.words);
+  return {filled(pages::class_html, ofPage), pages::class_css,
+          filled(pages::class_js, {{"texts", wordsOfScript()}})};
+}
+
+}  // namespace carom

@@ -1,0 +1,19 @@
+#pragma once
+// The pages that phones and the teacher load: one page, one style and one script, built into the program,
+// with all words from the catalogue (cave/texts/texts.h).
+
+#include <string>
+
+namespace carom {
+
+struct ClassPages {
+  std::string page, style, script;
+};
+
+/// Returns the pages of the class in the room of this word.
+ClassPages classPages(const std::string& word);
+
+/// Returns the text without what HTML would take for its own.
+std::string htmlOf(const std::string& text);
+
+}  // namespace carom

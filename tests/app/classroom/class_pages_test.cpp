@@ -1,0 +1,54 @@
+// The pages of a class: all words are the catalogue's, and nothing comes from elsewhere.
+#include "app/classroom/class_pages.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "cave/texts/texts.h"
+
+namespace carom {
+namespace {
+
+std::string sourceOf(const char* name) {
+  const auto root = std::filesystem::path(CAROM_TESTS_DIR).parent_path();
+  std::ifstream file(root / "app/classroom/pages" / name);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST(ClassPages, AreFilledWithTheCatalogue) {
+  const ClassPages pages = classPages("<KIWI>");
+  for (const std::string* text : {&pages.page, &pages.style, &pages.script}) {
+    EXPECT_EQ(text->find("{{"), std::string::npos);
+    EXPECT_EQ(text->find("://"),
+              text->find("ws://") == std::string::npos ? std::string::npos : text->find("ws://") + 2)
+        << "nothing but the socket has an address";
+  }
+  EXPECT_NE(pages.page.find("<strong>&lt;KIWI&gt;</strong>"), std::string::npos);
+  for (const texts::phone::Named& text : texts::phone::kPage)
+    EXPECT_NE(pages.page.find(htmlOf(text.words)), std::string::npos) << text.name;
+  for (const texts::phone::Named& text : texts::phone::kScript) {
+    EXPECT_NE(pages.script.find(text.words), std::string::npos) << text.name;
+    const std::regex used("T\\." + std::string(text.name) + "\\b|\\bT\\[state\\.state\\]");
+    EXPECT_TRUE(std::regex_search(sourceOf("class.js"), used)) << text.name;
+  }
+}
+
+TEST(ClassPages, HaveNoWordsOfTheirOwn) {
+  std::string page = sourceOf("class.html");
+  page = std::regex_replace(page, std::regex("\\{\\{\\w+\\}\\}"), "");
+  page = std::regex_replace(page, std::regex("<[^>]*>"), "");
+  EXPECT_FALSE(std::regex_search(page, std::regex("[A-Za-z]"))) << page;
+  const std::string script = sourceOf("class.js");
+  for (const char* unsafe : {"innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", "eval("})
+    EXPECT_EQ(script.find(unsafe), std::string::npos) << unsafe;
+}
+
+}  // namespace
+}  // namespace carom
