@@ -24,6 +24,7 @@
 #include "app/tools/calibrate.h"
 #include "app/tools/check.h"
 #include "app/tools/filter.h"
+#include "app/tools/force.h"
 #include "app/tools/help.h"
 #include "app/tools/import.h"
 #include "app/tools/list.h"
@@ -90,6 +91,7 @@ void addCommands(CLI::App& app, int& status) {
   addCalibrate(app, status);
   addTrack(app, status);
   addFilter(app, status);
+  addForce(app, status);
   addHelp(app, status);
 }
 

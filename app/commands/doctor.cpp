@@ -35,6 +35,7 @@
 #include "cave/headset/headset.h"
 #include "devices/tracker/realtime_thread.h"
 #include "devices/usb/device_list.h"
+#include "devices/usb/evdev_force.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -143,6 +144,12 @@ void lookAtSystem(NodeHealth& report) {
       report.warnings.push_back(fmt::format("{}: {}", device.name, device.problem));
   }
   if (devices.empty()) report.add("device", "no tracker on USB or HID");
+  for (const EvdevForceFacts& force : listEvdevForces()) {
+    if (force.problem.empty())
+      report.add("force", fmt::format("{} at {}: {}", force.name, force.node, force.words()));
+    else
+      report.add("force", force.problem);
+  }
 
   Promptness granted = Promptness::usual;
   std::thread([&] { granted = askForPromptness(); }).join();

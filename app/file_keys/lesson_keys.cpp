@@ -54,7 +54,8 @@ FileKey lessonKeys() {
        required(ofSize(2, kMostAnswers,
                        ofLetters(kAnswerLetters, declare::texts("answers", "from which one chooses")))),
        required(whole("right", 1, static_cast<int>(kMostAnswers), "which of the answers, from 1")),
-       words("todo", "what to do"), words("notice", "what to look for"),
+       words("todo", "what to do"),
+       words("notice", "what to look for"),
        words("number", "what comes out, and why", kLessonNumberLetters),
        viewsKey("views of time that it begins with"),
        required(
@@ -71,6 +72,7 @@ FileKey lessonKeys() {
               1.0),
        whole("explained_for", 1, static_cast<int>(kMostObservers),
              "which of the [[lesson.observer]], from 1, sees the explanation", 1),
+       flag("hold", "a hand with a force device holds the puck that it points at, while its button is held"),
        ofSize(0, kMostObservers,
               tables("observer",
                      "velocities that the visitor can take; observers of all of them pass the position of "

@@ -3,6 +3,7 @@
 #include "app/file_keys/common_keys.h"
 #include "app/file_keys/screen_keys.h"
 #include "cave/room/wall.h"
+#include "devices/setup/force_factory.h"
 #include "devices/setup/tracker_factory.h"
 
 namespace carom {
@@ -62,8 +63,32 @@ Keys withHead(Keys keys) {
   return keys;
 }
 
+FileKey force() {
+  constexpr Range kForce_n{.least = 0.1, .most = 50.0}, kD0_m{.least = 0.02, .most = 0.5};
+  constexpr Range kStiffness_n_m{.least = 1.0, .most = 1e5};
+  return table(
+      "force", "a device that lets the hand feel forces",
+      {required(choice("kind", forceNames(), "the device or its protocol")),
+       text("source",
+            "evdev: a node such as /dev/input/by-id/…, or none for the first device with force; vrpn: "
+            "Arm@tcp://host"),
+       inUnit("N",
+              number("force_max_n", kForce_n,
+                     "the strongest force of the device; required, but for a simulated one, which has 9")),
+       inUnit("N/m",
+              number("stiffness_max_n_m", kStiffness_n_m,
+                     "the stiffest spring that it holds; left out, and at most: twice the damping of such a "
+                     "device over the period of its loop")),
+       inUnit("m", number("d0_m", kD0_m, "draw of the cue for one unit of rapidity", 0.08)),
+       pose("room_from_device",
+            "takes the device's coordinates to the room's; the device of a VRPN server is the hand's "
+            "tracker, if "
+            "[hand] names none")});
+}
+
 FileKey hand() {
   Keys keys = sensorKeys();
+  keys.front().isRequired = false;
   keys.push_back(text("buttons",
                       "name of another [[tracker]] whose buttons and axes are the hand's; left out: those of "
                       "its own tracker"));
@@ -71,7 +96,10 @@ FileKey hand() {
       pose("hand_from_sensor",
            "takes the sensor's coordinates to those of the hand: its ray begins at the origin and points "
            "along the rig's forward"));
-  return table("hand", "a wand", std::move(keys));
+  keys.push_back(force());
+  FileKey hand = table("hand", "a wand", std::move(keys));
+  hand.rules = {{{.with = {"tracker"}, .without = {}}, {.with = {"force"}, .without = {}}}};
+  return hand;
 }
 
 FileKey viewer() {

@@ -14,6 +14,7 @@
 #include "app/files/input_file.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
+#include "devices/setup/force_setup.h"
 #include "devices/setup/tracker_setup.h"
 #include "engine/base/limits.h"
 #include "engine/base/pose.h"
@@ -53,6 +54,7 @@ struct ViewerSetup {
   std::string name = "viewer";  ///< as in the names of pictures and in the session file
   HeadSetup head;
   std::optional<HandSetup> hand{};
+  std::optional<ForceSetup> force{};  ///< the device that lets the hand feel
 };
 
 /// Where one rank of a cluster runs, or several consecutive ones.

@@ -62,6 +62,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     if (tracker.kind == TrackerKind::simulated) tracker.seed = ++simulated;
   }
   if (!isHeadset(rig)) rig.viewers = readViewers(root, rig.trackers, unit_m);
+  followForceDevices(rig);
   const std::vector<TomlTable> viewers = root.tables("viewer", kMostNamedViewers);
   if (const auto head = viewers.empty() ? root.table("head") : viewers.front()) {
     placed.head = head->place();

@@ -9,6 +9,7 @@
 #include "app/file_keys/rig_keys.h"
 #include "app/files/toml_values.h"
 #include "devices/network/dtrack_tracker.h"
+#include "devices/setup/force_factory.h"
 #include "devices/setup/tracker_factory.h"
 
 namespace carom {
@@ -136,6 +137,21 @@ SensorChoice readSensor(const TomlTable& table, const std::vector<TrackerSetup>&
   return {.tracker = readTrackerName(table, "tracker", trackers), .sensor = table.integer("sensor")};
 }
 
+void checkForceDevice(const TomlTable& table, const ForceSetup& setup) {
+  const ForceRow& row = rowOf(setup.kind);
+  if (setup.kind == ForceKind::simulated) {
+    table.refuse("source", "has no meaning for a simulated force device, expected none");
+  } else if (setup.source.empty() && row.needsSource) {
+    table.fault("source", fmt::format("source is missing, expected the address of the {} device", row.name));
+  } else {
+    try {
+      checkForceSource(setup);
+    } catch (const std::invalid_argument& wrong) {
+      table.fault("source", wrong.what());
+    }
+  }
+}
+
 }  // namespace
 
 TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double unit_m, const RoomAxes& axes) {
@@ -183,6 +199,36 @@ HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trac
       table.numberOr("eye_separation", head.eyeSeparation_m / unit_m, kWidestEyes_m / unit_m) * unit_m;
   head.eyesFromSensor = readPose(table, "eyes_from_sensor", unit_m);
   return head;
+}
+
+std::optional<ForceSetup> readForce(const TomlTable& hand, double unit_m) {
+  const auto table = hand.table("force");
+  if (!table) return {};
+  ForceSetup setup;
+  setup.kind = forceRows()[table->choice("kind")].kind;
+  if (setup.kind != ForceKind::simulated && table->has("source")) setup.source = table->text("source");
+  checkForceDevice(*table, setup);
+  setup.forceMax_n = table->numberOr("force_max_n", setup.forceMax_n);
+  if (setup.kind != ForceKind::simulated && !table->has("force_max_n"))
+    table->fault(table->place(),
+                 "force_max_n is missing, expected the strongest force of the device in newtons");
+  if (table->has("stiffness_max_n_m")) setup.stiffnessMax_n_m = table->number("stiffness_max_n_m");
+  setup.d0_m = table->number("d0_m");
+  setup.roomFromDevice = readPose(*table, "room_from_device", unit_m);
+  return setup;
+}
+
+void followForceDevices(Rig& rig) {
+  for (ViewerSetup& viewer : rig.viewers) {
+    if (!viewer.force || viewer.hand || viewer.force->kind != ForceKind::vrpn) continue;
+    TrackerSetup tracker;
+    tracker.name = "force device of " + viewer.name;
+    tracker.kind = TrackerKind::vrpn;
+    tracker.source = viewer.force->source;
+    tracker.roomFromTracker = viewer.force->roomFromDevice;
+    viewer.hand = HandSetup{{rig.trackers.size(), 0}, {}};
+    rig.trackers.push_back(tracker);
+  }
 }
 
 }  // namespace carom

@@ -14,4 +14,11 @@ TrackerSetup readTracker(const TomlFile& file, const TomlTable& table, double un
 HandSetup readHand(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m);
 HeadSetup readHead(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m);
 
+/// Reads [hand.force]; none if the hand has none.
+std::optional<ForceSetup> readForce(const TomlTable& hand, double unit_m);
+
+/// Lets hands that name no tracker be followed by their force devices, where these say where they are: the
+/// device of a VRPN server is a tracker, too.
+void followForceDevices(Rig& rig);
+
 }  // namespace carom

@@ -16,6 +16,18 @@
 namespace carom {
 namespace {
 
+/// Reads a hand, which names a tracker, or has a force device, or both.
+void readHandOf(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m,
+                ViewerSetup& viewer) {
+  viewer.force = readForce(table, unit_m);
+  if (table.has("tracker") || !viewer.force) {
+    viewer.hand = readHand(table, trackers, unit_m);
+    return;
+  }
+  for (const char* key : {"sensor", "buttons", "hand_from_sensor"})
+    table.refuse(key, "is that of a tracker, expected a tracker, too");
+}
+
 ViewerSetup readViewer(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m) {
   ViewerSetup viewer;
   viewer.name = table.text("name");
@@ -25,7 +37,7 @@ ViewerSetup readViewer(const TomlTable& table, const std::vector<TrackerSetup>& 
   if (!plain)
     table.fault("name", fmt::format("name is '{}', expected letters, digits, - and _ only", viewer.name));
   viewer.head = readHead(table, trackers, unit_m);
-  if (const auto hand = table.table("hand")) viewer.hand = readHand(*hand, trackers, unit_m);
+  if (const auto hand = table.table("hand")) readHandOf(*hand, trackers, unit_m, viewer);
   return viewer;
 }
 
@@ -141,7 +153,7 @@ std::vector<ViewerSetup> readViewers(const TomlTable& root, const std::vector<Tr
   }
   ViewerSetup& alone = viewers.emplace_back();
   if (const auto head = root.requiredTable("head")) alone.head = readHead(*head, trackers, unit_m);
-  if (const auto hand = root.table("hand")) alone.hand = readHand(*hand, trackers, unit_m);
+  if (const auto hand = root.table("hand")) readHandOf(*hand, trackers, unit_m, alone);
   return viewers;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cave/texts/texts.h"
+#include "devices/force/cue_force.h"
 #include "engine/base/limits.h"
 
 namespace carom {
@@ -19,14 +20,19 @@ Lorentz turnOf(const Lorentz& boardFromRoom) {
 
 }  // namespace
 
-CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom) {
+Vec3 wayInRoom(const Vec3& wayOnBoard, const Lorentz& boardFromRoom) {
+  return (turnOf(boardFromRoom).inverse() * Displacement{0.0, wayOnBoard}).dr_m;
+}
+
+CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom, double d0_m) {
   const Lorentz turn = turnOf(boardFromRoom);
   Vec3 way_m = (turn * Displacement{0.0, -pullInRoom_m}).dr_m;
   way_m.z = 0.0;
   const double pull_m = glm::length(way_m);
   if (!(pull_m > 0.0)) return {};
   const Vec3 way = way_m / pull_m;
-  const double u = pull_m < kLeastPull_m ? 0.0 : std::min(pull_m / kPullForOne_m, kStrongestU);
+  const double wanted = d0_m > 0.0 ? uOfDraw(pull_m, d0_m) : pull_m / kPullForOne_m;
+  const double u = wanted < kLeastPull_m / kPullForOne_m ? 0.0 : std::min(wanted, kStrongestU);
   // + 0: avoids −0, which a session file would not restore.
   return {{u * way.x + 0.0, u * way.y + 0.0}, (turn.inverse() * Displacement{0.0, way}).dr_m};
 }
@@ -47,6 +53,7 @@ Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool f
   target_ = pointed.puck;
   device_ = hand.device;
   pull_m_ = hand.pull_m;
+  d0_m_ = hand.d0_m;
   return {};
 }
 
@@ -63,6 +70,7 @@ Cue::Outcome Cue::step(const HandInput& hand, const PickResult& pointed, bool fr
   }
   if (pressed) {
     pull_m_ = hand.pull_m;
+    d0_m_ = hand.d0_m;
     return {};
   }
   return {std::exchange(target_, std::nullopt), {}};

@@ -24,11 +24,15 @@ struct CueStroke {
   Vec3 towards{0.0};  ///< direction of u as a unit vector in the room's axes; 0 if there is no stroke
 };
 
-/// Returns the stroke for a pull; its direction is opposite to the pull, along the cloth. The direction is
-/// transformed from room to board by the rotation of `boardFromRoom` alone, without its boost: the hand gives
-/// a momentum on the board, and a viewer on a platform that is not rotated who points along the table means
-/// along the table at any platform speed.
-CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom);
+/// Returns a direction or distance on the board in the room's axes: by the rotation alone, without the boost.
+Vec3 wayInRoom(const Vec3& wayOnBoard, const Lorentz& boardFromRoom);
+
+/// Returns the stroke for a pull; its direction is opposite to the pull, along the cloth. With `d0_m`, the
+/// pull is a draw against a force, of one unit of rapidity for each d0 (devices/force/cue_force.h); without
+/// it, the momentum is in proportion to the pull. The direction is transformed from room to board by the
+/// rotation of `boardFromRoom` alone, without its boost: the hand gives a momentum on the board, and a viewer
+/// on a platform that is not rotated who points along the table means along the table at any platform speed.
+CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom, double d0_m = 0.0);
 
 /// The widest side spin of a hand, and what counts as the centre, as shares of the puck's radius.
 inline constexpr double kMostSide = 0.5, kLeastSide = 0.125;
@@ -52,6 +56,7 @@ class Cue {
   /// Returns the puck that the cue is held for; it does not change until the cue is released.
   std::optional<std::size_t> target() const { return target_; }
   const Vec3& pull_m() const { return pull_m_; }
+  double d0_m() const { return d0_m_; }  ///< as HandInput
 
  private:
   Outcome press(const HandInput& hand, const PickResult& pointed, bool frozen);
@@ -60,6 +65,7 @@ class Cue {
   std::string_view device_;  ///< the device that holds the cue
   std::optional<std::size_t> target_;
   Vec3 pull_m_{0.0};
+  double d0_m_ = 0.0;
 };
 
 }  // namespace carom

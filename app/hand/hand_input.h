@@ -19,6 +19,8 @@ struct HandInput {
   bool held = false;      ///< its button is down
   /// While `held`: the displacement since the button was pressed. The stroke goes in the opposite direction.
   Vec3 pull_m{0.0};
+  /// With a force device: the draw of one unit of rapidity. 0: without one.
+  double d0_m = 0.0;
   /// Message to the player when another device was refused the cue in this frame, with static lifetime; empty
   /// if none.
   std::string_view refused = {};

@@ -75,7 +75,8 @@ FrameReader::FrameReader(SQLite::Database& database, double lightSpeed_m_s)
       event_(database, fmt::format("SELECT frame{} FROM frame_event WHERE frame = ? ORDER BY number",
                                    namesOf<GameEvent>().text())),
       viewers_(database, lightSpeed_m_s),
-      headset_(database) {
+      headset_(database),
+      force_(database) {
   goTo(0);
 }
 
@@ -99,6 +100,7 @@ void FrameReader::read(FrameState& state) {
   readFields(state);
   viewers_.read(state.record);
   headset_.read(state.record);
+  force_.read(state.record);
   if (state.record.number != static_cast<std::uint64_t>(number))
     throw std::runtime_error(fmt::format("its record is of frame {}", state.record.number));
   expectPossible(state.record, lightSpeed_m_s_);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/journal/force_rows.h"
 #include "app/journal/headset_rows.h"
 #include "app/journal/viewer_rows.h"
 #include "cave/record/frame_state.h"
@@ -56,6 +57,7 @@ class FrameReader {
   SQLite::Statement frame_, change_, knot_, event_;
   ViewerReader viewers_;
   HeadsetReader headset_;
+  ForceReader force_;
 };
 
 }  // namespace carom

@@ -47,6 +47,10 @@
 //       mean thrust in the frame, felt by the one who steers, in the room's axes.
 //   other_viewer(frame, viewer, proper_time_s, …)
 //       The record's part of the viewers after the first (app/journal/frame_columns.h).
+//   force(frame, viewer, scale, place_x_m, …, force_n_x, …)
+//       One row per frame and viewer with a force device: its place as its loop took it and the force on the
+//       hand, in the room's axes; scale: 1 N in the hand is 1/scale N at the cue. Draws, pulses and falls to
+//       0 N are rows of the table input: 'force draw', 'force pulse', 'force off'.
 //   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m, viewer)
 //       Strokes by hand in a frame: the puck's name, the event of the hand, and the momentum that arrives at
 //       the puck; offset_m: how far to the right of its centre it strikes. Together with the scenario's

@@ -133,6 +133,7 @@ void JournalTables::begin(const SessionFacts& facts) {
   frames_.emplace(database_);
   viewerRows_.emplace(database_, viewers_);
   headsetRows_.emplace(database_);
+  forceRows_.emplace(database_);
   removeEmptyGames(database_);
   if (facts.hasClass) database_.exec(kVoteTable);
   database_.exec(kTaskTable);
@@ -192,6 +193,7 @@ void JournalTables::writeFrames(const Batch& batch) {
     frames_->write(row.record, toString(row.heads[0].known), row.heads[0].celerity_m_s);
     viewerRows_->write(row.record, row.heads);
     headsetRows_->write(row.record);
+    forceRows_->write(row.record);
     for (const GameEvent& event : brought) frames_->write(row.record.number, event);
   }
   for (const auto& [frame, knot] : batch.knots) frames_->write(frame, knot);

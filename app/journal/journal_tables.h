@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/journal/force_rows.h"
 #include "app/journal/frame_rows.h"
 #include "app/journal/headset_rows.h"
 #include "app/journal/journal_news.h"
@@ -101,6 +102,7 @@ class JournalTables {
   std::optional<FrameWriter> frames_;
   std::optional<ViewerWriter> viewerRows_;
   std::optional<HeadsetWriter> headsetRows_;
+  std::optional<ForceWriter> forceRows_;
   std::optional<SQLite::Statement> event_, turn_, sample_, latency_;
 };
 

@@ -110,7 +110,7 @@ HandView CueInteraction::viewOf(const HandInput& hand, const PickResult& pointed
   view.target_m =
       aim_.seenInRoom_m(game.pucks()[*target], {seen.self.observer, hand.eye, seen.record.switches});
   if (!cue_.target()) return view;
-  const CueStroke stroke = strokeOf(cue_.pull_m(), seen.record.boardFromRoom);
+  const CueStroke stroke = strokeOf(cue_.pull_m(), seen.record.boardFromRoom, cue_.d0_m());
   view.pulling = 1;
   view.to_m = view.target_m;
   view.towards = stroke.towards;
@@ -123,7 +123,7 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
                                                const SeenFrame& seen) const {
   const Puck& target = scenario_->billiard.pucks[puck];
   const double c_m_s = scenario_->billiard.lightSpeed_m_s;
-  const Vec2 u = strokeOf(cue_.pull_m(), seen.record.boardFromRoom).u;
+  const Vec2 u = strokeOf(cue_.pull_m(), seen.record.boardFromRoom, cue_.d0_m()).u;
   if (u == Vec2(0.0)) return {{}, {}, texts::message::kLetGo};
   const Event from = handEvent(hand.from_m, seen);
   if (from.t_s < 0.0) return {{}, {}, texts::message::kBeforeGame};

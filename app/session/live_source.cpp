@@ -18,7 +18,7 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
     : rig_(rig),
       scenario_(scenario),
       world_(world),
-      inputs_(rig),
+      inputs_(rig, start.sessionStart),
       room_(rig, scenario, inputs_.trackers(rig, start.sessionStart), start.before),
       lesson_(scenario),
       game_(scenario, start.struck),
@@ -60,7 +60,7 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   move({times, settings.eyeSeparation_m, pace, wish, inputs_.steering()}, settings, still, shot, decision);
   const HandRules rules{settings, lesson_.asks(), !still && !shot && !scenario_.lesson};
   players_.act(rules, room_.viewers(), inputs_, game_, announcements_, decision);
-  if (!still && !shot) players_.see(world_, settings, announcements_, decision);
+  if (!still && !shot) players_.see(world_, settings, inputs_, announcements_, decision);
   tell(input.commands, settings, still, decision);
   playGame(settings, decision.frame);
   finish(given, decision);

@@ -18,12 +18,29 @@ double rumbleStrength(const HandInput& hand, const HandView& view) {
 
 }  // namespace
 
-PlayerInputs::PlayerInputs(const Rig& rig)
+PlayerInputs::PlayerInputs(const Rig& rig, std::chrono::steady_clock::time_point sessionStart)
     : people_(rig.byMouse ? std::make_unique<MousePeople>(rig) : nullptr),
       hands_(rig.viewers.size(), InputDevices(rig.axes)) {
   for (std::size_t viewer = 0; viewer < hands_.size(); ++viewer)
     presses_.emplace_back(seenBy(roomGeometryOf(rig), viewer));
+  bool hasForce = false;
+  for (const ViewerSetup& viewer : rig.viewers) {
+    const bool isThere = viewer.force && (!people_ || viewer.force->kind == ForceKind::simulated);
+    forces_.push_back(isThere
+                          ? std::make_unique<HandForce>(*viewer.force, rig.axes,
+                                                        createForce(*viewer.force, rig.axes, sessionStart))
+                          : nullptr);
+    hasForce = hasForce || isThere;
+  }
+  if (!hasForce) return;
+  onLeaving_.emplace([this] {
+    for (const auto& force : forces_) {
+      if (force) force->end();
+    }
+  });
 }
+
+PlayerInputs::~PlayerInputs() = default;
 
 SharedTrackers PlayerInputs::trackers(const Rig& rig,
                                       std::chrono::steady_clock::time_point sessionStart) const {
@@ -35,6 +52,9 @@ SharedTrackers PlayerInputs::trackers(const Rig& rig,
 void PlayerInputs::play(const Scenario& scenario) {
   for (InputDevices& hand : hands_) hand.letGo();
   for (WallPresses& presses : presses_) presses.play(scenario);
+  for (const auto& force : forces_) {
+    if (force) force->play(scenario.billiard);
+  }
 }
 
 void PlayerInputs::follow(const FrameRecord& shown) {
@@ -62,6 +82,7 @@ PlayerInputs::Act PlayerInputs::act(std::size_t viewer, const Viewers& viewers, 
                                     double now_s) {
   Act act;
   act.hand = hands_[viewer].cue(viewers.hand(viewer), observer, viewers.head(viewer).pose, now_s);
+  if (forces_[viewer]) forces_[viewer]->draw(act.hand);
   if (viewer == atDesk_) presses_[viewer].aimPad(padStep_, act.hand);
   act.pointed = presses_[viewer].at(act.hand);
   act.command = hands_[viewer].lessonCommand();
@@ -73,9 +94,13 @@ void PlayerInputs::letGo(std::size_t viewer, bool home) {
   if (home) hands_[viewer].goHome();
 }
 
-void PlayerInputs::feel(std::size_t viewer, const HandInput& hand, const HandView& view, bool struck) {
+void PlayerInputs::feel(std::size_t viewer, const Viewers& viewers, const HandInput& hand, bool struck,
+                        const std::optional<HandForce::Holding>& holding, FrameRecord& record) {
+  ViewerState& own = record.viewers[viewer];
+  if (forces_[viewer])
+    forces_[viewer]->post(hand, viewers.hand(viewer).wand.down != 0, holding, record.display_s, own);
   if (viewer != atDesk_) return;
-  rumble_.set(rumbleStrength(hand, view));
+  rumble_.set(rumbleStrength(hand, own.hand));
   if (struck && hand.device == texts::kGamepad) rumble_.pulse();
 }
 

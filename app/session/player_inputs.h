@@ -2,23 +2,29 @@
 // The devices of all players: each one's hand, the desk that belongs to one of them at a time, who steers,
 // and the buttons that each finds on the front wall.
 
+#include <chrono>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/play/hand_force.h"
 #include "app/play/input_devices.h"
 #include "app/play/mouse_people.h"
 #include "app/session/wall_presses.h"
 #include "app/viewer/viewers.h"
+#include "cave/process/termination.h"
 #include "devices/usb/rumble.h"
 
 namespace carom {
 
 class PlayerInputs {
  public:
-  explicit PlayerInputs(const Rig& rig);
+  /// The session's clock reads zero at `sessionStart`.
+  explicit PlayerInputs(const Rig& rig, std::chrono::steady_clock::time_point sessionStart = {});
+  ~PlayerInputs();  ///< leaves force devices at 0 N
 
   /// Returns the rig's trackers, or those people whom mouse and keys move.
   SharedTrackers trackers(const Rig& rig, std::chrono::steady_clock::time_point sessionStart) const;
@@ -46,8 +52,12 @@ class PlayerInputs {
   /// Lets go of the cue, as for a press on a button of the front wall; with `home`, asks for the way home.
   void letGo(std::size_t viewer, bool home);
 
-  /// Lets the gamepad be felt: it trembles as it draws the cue back, and knocks with the stroke.
-  void feel(std::size_t viewer, const HandInput& hand, const HandView& view, bool struck);
+  /// Lets hands feel: a gamepad trembles as it draws the cue back, and knocks with the stroke; a force device
+  /// gets what holds now. `holding`: the puck that a lesson lets a hand hold.
+  void feel(std::size_t viewer, const Viewers& viewers, const HandInput& hand, bool struck,
+            const std::optional<HandForce::Holding>& holding, FrameRecord& record);
+  /// Returns the force device of a viewer's hand, or null.
+  HandForce* force(std::size_t viewer) { return forces_[viewer].get(); }
 
   std::size_t steering() const { return steering_; }  ///< the viewer who steered last
   /// Returns whether the one who steered last asks for something.
@@ -62,6 +72,8 @@ class PlayerInputs {
   std::size_t steering_ = 0;
   double onset_ = 0.0;  ///< share of the steered thrust
   Rumble rumble_;
+  std::vector<std::unique_ptr<HandForce>> forces_;  ///< of each viewer; null without a device
+  std::optional<ClosedOnLeaving> onLeaving_;        ///< of forces: 0 N when the process ends
 };
 
 }  // namespace carom

@@ -1,9 +1,29 @@
 #include "app/session/players.h"
 
 #include "app/operator/wall_commands.h"
+#include "cave/frame/bodies.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
+namespace {
+
+/// Returns a puck that a hand holds, with its motion in the room.
+HandForce::Holding holdingOf(const BilliardSetup& game, std::size_t number, const FrameRecord& record) {
+  const Puck& puck = game.pucks[number];
+  const Displacement onBoard{1.0, {game.lightSpeed_m_s * puck.beta, 0.0}};
+  const Displacement inRoom = record.boardFromRoom.inverse() * onBoard;
+  return {puck.mass_kg, inRoom.dr_m / (inRoom.dt_s * game.lightSpeed_m_s)};
+}
+
+/// Notes what a force device did, and says what people should know.
+void tellOf(HandForce& force, std::size_t viewer, Announcements& announcements, Decision& decision) {
+  for (const ForceNote& note : force.takeNotes()) {
+    decision.notes.push_back({std::string(note.what), note.value, viewer});
+    if (note.isForPeople) announcements.sayTo(viewer, note.value, decision);
+  }
+}
+
+}  // namespace
 
 Players::Players(const Scenario& scenario, const std::optional<FrameRecord>& before)
     : scenario_(&scenario), cues_(kMostViewers, CueInteraction(scenario)), tasks_(scenario) {
@@ -60,8 +80,27 @@ void Players::act(std::size_t viewer, const HandRules& rules, const Viewers& vie
     own.hand.target = 0;
   }
   if (outcome.stroke) struck(viewer, outcome, decision);
-  inputs.feel(viewer, hand, own.hand, outcome.stroke.has_value());
-  announcements.sayTo(viewer, outcome.said, decision);
+  HandForce* const force = inputs.force(viewer);
+  if (outcome.stroke && force) force->struck(outcome.stroke->puck, outcome.arrives_s);
+  const auto held = hold(viewer, hand, rules, record);
+  inputs.feel(viewer, viewers, hand, outcome.stroke.has_value(), held, record);
+  if (force) tellOf(*force, viewer, announcements, decision);
+  if (!held) announcements.sayTo(viewer, outcome.said, decision);
+}
+
+/// In a lesson for hands with force devices, a hand holds the puck that it points at when its button goes
+/// down. Returns the puck that is held, also in the frame in which it is let go.
+std::optional<HandForce::Holding> Players::hold(std::size_t viewer, const HandInput& hand,
+                                                const HandRules& rules, const FrameRecord& record) {
+  const bool isOffered = scenario_->lesson && scenario_->lesson->plan.holds && !rules.asks;
+  std::optional<std::size_t>& puck = held_[viewer];
+  const std::size_t target = record.viewers[viewer].hand.target, first = kFirstPuck;
+  const std::size_t pucks = scenario_->billiard.pucks.size();
+  if (isOffered && hand.pressed && target >= first && target < first + pucks) puck = target - first;
+  if (!puck) return {};
+  const HandForce::Holding holding = holdingOf(scenario_->billiard, *puck, record);
+  if (!hand.held) puck.reset();
+  return holding;
 }
 
 void Players::struck(std::size_t viewer, const CueInteraction::Outcome& outcome, Decision& decision) {
@@ -73,10 +112,13 @@ void Players::struck(std::size_t viewer, const CueInteraction::Outcome& outcome,
   tasks_.struck(viewer, *outcome.stroke, outcome.arrives_s);
 }
 
-void Players::see(const World& world, const OperatorSettings& settings, Announcements& announcements,
-                  Decision& decision) {
+void Players::see(const World& world, const OperatorSettings& settings, PlayerInputs& inputs,
+                  Announcements& announcements, Decision& decision) {
   const std::span<const GameEvent> events = world.events;
   FrameRecord& record = decision.frame.record;
+  for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
+    if (HandForce* const force = inputs.force(viewer)) force->see(events, record, viewer);
+  }
   shots_.see({record.viewers[striker_].observer, record.boardFromRoom, record.display_s});
   if (const auto seen = hit_.look(events, record); seen && seen->size() > 1)
     announcements.tellWhoSawFirst(*seen, decision);

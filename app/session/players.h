@@ -1,6 +1,7 @@
 #pragma once
 // The people in the room as players: their cues, their match, who has seen what, and the shots that are kept.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -47,9 +48,10 @@ class Players {
            Announcements& announcements, Decision& decision);
 
   /// Looks at what each viewer sees of the events in a frame in which time passes: counts a carom when the
-  /// one who struck sees it, and says so; tells who saw a hit first; judges the task.
-  void see(const World& world, const OperatorSettings& settings, Announcements& announcements,
-           Decision& decision);
+  /// one who struck sees it, and says so; tells who saw a hit first; judges the task; lets hands feel what
+  /// their strokes do.
+  void see(const World& world, const OperatorSettings& settings, PlayerInputs& inputs,
+           Announcements& announcements, Decision& decision);
 
   /// Returns the earliest view that may be shown again, or that of the one who struck last.
   const ObserverView& earliest(const FrameRecord& record) {
@@ -62,6 +64,8 @@ class Players {
   void act(std::size_t viewer, const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs,
            Game& game, Announcements& announcements, Decision& decision);
   void struck(std::size_t viewer, const CueInteraction::Outcome& outcome, Decision& decision);
+  std::optional<HandForce::Holding> hold(std::size_t viewer, const HandInput& hand, const HandRules& rules,
+                                         const FrameRecord& record);
 
   const Scenario* scenario_;
   std::vector<CueInteraction> cues_;  ///< of each viewer
@@ -72,6 +76,7 @@ class Players {
   ShotReplay replay_;
   TaskRun tasks_;
   std::size_t answeredBy_ = 0;
+  std::array<std::optional<std::size_t>, kMostViewers> held_{};  ///< the puck that each viewer holds
 };
 
 }  // namespace carom

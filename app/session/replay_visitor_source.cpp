@@ -17,6 +17,7 @@ namespace {
 /// Returns the rig for the one who visits: its first viewer.
 Rig rigOf(Rig rig, const Visitor& visitor) {
   rig.viewers.resize(1);
+  rig.viewers.front().force.reset();
   if (!visitor.trace) return rig;
   TrackerSetup& tracker = rig.trackers[rig.viewers.front().head.sensor.tracker];
   tracker = {};

@@ -29,6 +29,7 @@
 #include "app/tools/option_values.h"
 #include "cave/overlay/band_layout.h"
 #include "cave/process/work_budget.h"
+#include "devices/setup/force_factory.h"
 #include "engine/base/log.h"
 #include "engine/billiard/soft_puck_mesh.h"
 #include "engine/spacetime/lorentz.h"
@@ -120,7 +121,7 @@ int tellForeignRoom(const std::filesystem::path& path, const std::string& wanted
 
 /// Prints how a viewer is tracked and, where there are several, what this one sees of each screen.
 void tellViewer(const Rig& rig, std::size_t viewer) {
-  const auto& [name, head, hand] = rig.viewers[viewer];
+  const auto& [name, head, hand, force] = rig.viewers[viewer];
   const bool several = rig.viewers.size() > 1;
   const std::string whose = several ? name + "'s " : "";
   fmt::print("{}head: tracker {}, sensor {}, eyes {:.1f} mm apart\n", whose,
@@ -130,6 +131,12 @@ void tellViewer(const Rig& rig, std::size_t viewer) {
         hand->buttons ? ", buttons of tracker " + rig.trackers[*hand->buttons].name : "";
     fmt::print("{}hand: tracker {}, sensor {}{}\n", whose, rig.trackers[hand->tracker].name, hand->sensor,
                buttons);
+  }
+  if (force) {
+    fmt::print("{}{}: {:g} N, {:g} N/m, {:g} m for a unit of rapidity\n", whose, carom::nameOf(*force),
+               force->forceMax_n, limitsOf(*force).stiffness_n_m, force->d0_m);
+    const std::string lowered = loweredStiffness(*force);
+    if (!lowered.empty()) log::warn(lowered);
   }
   if (!several) return;
   for (const std::string& sight : sightsOf(rig, viewer)) fmt::print("{} {}\n", name, sight);

@@ -1,13 +1,11 @@
 #include "app/tools/track.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <ctime>
 #include <map>
 #include <memory>
@@ -16,6 +14,7 @@
 
 #include "app/files/config_folder.h"
 #include "app/files/rig.h"
+#include "app/tools/live_display.h"
 #include "app/tools/option_values.h"
 #include "devices/monitor/input_monitor.h"
 #include "devices/monitor/loss_counter.h"
@@ -23,6 +22,7 @@
 #include "devices/setup/tracker_factory.h"
 #include "devices/tracker/trace.h"
 #include "devices/usb/device_list.h"
+#include "devices/usb/evdev_force.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -32,33 +32,6 @@ namespace {
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 constexpr double kPoll_s = 0.005;
-constexpr double kRefresh_s = 0.25;  // refresh interval on a terminal
-constexpr double kReport_s = 1.0;    // interval otherwise
-
-volatile std::sig_atomic_t wantsToEnd = 0;
-
-/// While it lives, SIGINT and SIGTERM end the monitoring instead of the program.
-class EndOnSignals {
- public:
-  EndOnSignals() {
-    wantsToEnd = 0;
-    struct sigaction end {};
-    end.sa_handler = [](int) { wantsToEnd = 1; };
-    ::sigemptyset(&end.sa_mask);
-    ::sigaction(SIGINT, &end, &interruptBefore_);
-    ::sigaction(SIGTERM, &end, &terminateBefore_);
-  }
-  EndOnSignals(const EndOnSignals&) = delete;
-  EndOnSignals& operator=(const EndOnSignals&) = delete;
-  ~EndOnSignals() {
-    ::sigaction(SIGINT, &interruptBefore_, nullptr);
-    ::sigaction(SIGTERM, &terminateBefore_, nullptr);
-  }
-
- private:
-  struct sigaction interruptBefore_ {};
-  struct sigaction terminateBefore_ {};
-};
 
 /// A tracker of the rig and the statistics of its data.
 struct Watched {
@@ -178,27 +151,6 @@ std::string tableOf(const std::vector<Watched>& all, double now_s) {
   return text;
 }
 
-/// Prints a table: on a terminal in place of the previous one, otherwise below it.
-class Display {
- public:
-  double period_s() const { return isTerminal_ ? kRefresh_s : kReport_s; }
-
-  void show(const std::string& table, double now_s) {
-    if (isTerminal_) {
-      if (lines_ > 0) fmt::print("\033[{}A\033[J", lines_);
-      fmt::print("\033[?7l{}\033[?7h", table);  // cuts lines that are too long instead of wrapping them
-      lines_ = std::count(table.begin(), table.end(), '\n');
-    } else {
-      fmt::print("after {:.1f} s\n{}", now_s, table);
-    }
-    std::fflush(stdout);
-  }
-
- private:
-  bool isTerminal_ = ::isatty(STDOUT_FILENO) == 1;
-  long lines_ = 0;
-};
-
 void take(Watched& watched, std::size_t number, double now_s, Recording* recording,
           std::vector<TrackerSample>& samples, std::vector<Reading>& inputs) {
   samples.clear();
@@ -221,7 +173,7 @@ void take(Watched& watched, std::size_t number, double now_s, Recording* recordi
 /// Polls and prints until interrupted or until the given time has passed.
 void watch(std::vector<Watched>& all, SteadyTime start, const TrackOptions& options, Recording* recording) {
   const EndOnSignals endOnSignals;
-  Display display;
+  LiveDisplay display;
   std::vector<TrackerSample> samples;
   std::vector<Reading> inputs;
   double shown_s = 0.0;
@@ -230,7 +182,7 @@ void watch(std::vector<Watched>& all, SteadyTime start, const TrackOptions& opti
     ::nanosleep(&kPause, nullptr);
     const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     for (std::size_t i = 0; i < all.size(); ++i) take(all[i], i, now_s, recording, samples, inputs);
-    ends = wantsToEnd || (options.seconds && now_s >= *options.seconds);
+    ends = EndOnSignals::isAsked() || (options.seconds && now_s >= *options.seconds);
     if (!ends && now_s < shown_s + display.period_s()) continue;
     display.show(tableOf(all, now_s), now_s);
     shown_s = now_s;
@@ -262,8 +214,30 @@ int runTrack(const TrackOptions& options) {
   return 0;
 }
 
+namespace {
+
+/// Lists the devices that push or rumble.
+void listForces(const std::vector<EvdevForceFacts>& forces) {
+  if (forces.empty()) return;
+  fmt::print("\nForce devices, for [hand.force]:\n");
+  for (const EvdevForceFacts& force : forces) {
+    if (force.problem.empty())
+      fmt::print("{:<14} {:<18} {:<28} {}\n", "evdev", force.node, force.name, force.words());
+    else
+      fmt::print("{:<14} {}\n", "evdev", force.problem);
+  }
+}
+
+}  // namespace
+
 int runTrackList() {
   const std::vector<ListedDevice> devices = listDevices();
+  const std::vector<EvdevForceFacts> forces = listEvdevForces();
+  if (devices.empty() && !forces.empty()) {
+    fmt::print("No tracker that carom knows is plugged in.\n");
+    listForces(forces);
+    return 0;
+  }
   if (devices.empty()) {
     fmt::print(
         "No device that carom knows is plugged in. (Trackers on the network are not looked for: name "
@@ -276,6 +250,7 @@ int runTrackList() {
     if (!device.serial.empty()) fmt::print("{:<14} serial number {}\n", "", device.serial);
     if (!device.problem.empty()) fmt::print("{:<14} {}\n", "", device.problem);
   }
+  listForces(forces);
   return 0;
 }
 

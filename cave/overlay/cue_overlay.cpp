@@ -26,8 +26,8 @@ constexpr double kRay_m = 0.002, kDot_m = 0.008;
 constexpr std::array<double, 4> kTicks{0.5, 0.8, 0.9, 0.95};  // of c
 constexpr double kDigits = 0.025, kTickDigits = 0.016;        // heights, as fractions of the distance
 constexpr double kBar = 0.010, kPanel = 0.076,
-                 kPanelMiddle = 0.055;  // half widths, and the place of the panel's middle
-constexpr double kReadout = 0.092;      // height of the numbers below the bar
+                 kPanelMiddle = 0.055;                     // half widths, and the place of the panel's middle
+constexpr double kReadout = 0.092, kForceReadout = 0.056;  // heights of the numbers below the bar
 
 /// Returns the pen strokes of a letter: points on a grid of 2 × 4 (right, up), with a blank where the pen is
 /// lifted; '^' is a raised 2.
@@ -41,6 +41,10 @@ std::string_view strokesOf(char letter) {
       return "22020020";
     case 'm':
       return "00022220 1210";
+    case 'N':
+      return "00042024";
+    case '=':
+      return "0121 0323";
     case '^':
       return kNumerals[2];
     default:
@@ -199,15 +203,16 @@ void CueOverlay::addTurning(const HandView& hand, const FacingPlane& plane, cons
 }
 
 /// Adds, from the bottom of the panel, the speed and the cost that the stroke would have, and the bar above
-/// them.
-void CueOverlay::addScale(const HandView& hand, const FacingPlane& target) {
+/// them; with a force device also the force in the hand, and how many newtons at the cue one in the hand is.
+void CueOverlay::addScale(const HandView& hand, const ForceView& force, const FacingPlane& target) {
   const double cost = costOf(hand.u), unit_m = target.distance_m;
   const auto up = [](double of) { return kScaleFoot + heightOf(of); };
   // The scale stands on the side away from the stroke.
   const bool goesRight = glm::dot(hand.towards, target.right) > 1e-6;
   const double aside = goesRight ? kScaleLeft : kScaleRight;
   const auto on = [&](double across, double upwards) { return target.at(aside + across, upwards); };
-  addLine(on(kPanelMiddle, kScaleFoot - kReadout), on(kPanelMiddle, up(kMostCost) + 0.015), kPanel * unit_m,
+  const double readout = force.shown ? kReadout + kForceReadout : kReadout;
+  addLine(on(kPanelMiddle, kScaleFoot - readout), on(kPanelMiddle, up(kMostCost) + 0.015), kPanel * unit_m,
           kGround);
   addLine(on(0.0, up(0.0)), on(0.0, up(kMostCost)), kBar * unit_m, kTrack);
   addLine(on(0.0, up(0.0)), on(0.0, up(cost)), kBar * unit_m, colourOf(cost));
@@ -217,12 +222,16 @@ void CueOverlay::addScale(const HandView& hand, const FacingPlane& target) {
     addText(target, aside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, texts::cue::kMarks[i]);
   }
   std::array<char, 24> words{};
-  const auto say = [&](double upwards, fmt::format_string<double&> format, double value) {
+  const auto say = [&](double upwards, fmt::format_string<double&> format, double value,
+                       double height = kDigits) {
     const auto said = fmt::format_to_n(words.data(), words.size(), format, value);
-    addText(target, aside - kBar, kScaleFoot + upwards, kDigits, {words.data(), said.size});
+    addText(target, aside - kBar, kScaleFoot + upwards, height, {words.data(), said.size});
   };
   say(-0.042, texts::cue::kSpeed, betaOf(hand.u));
   say(-0.080, texts::cue::kEnergy, cost);
+  if (!force.shown) return;
+  say(-0.114, texts::cue::kForce, glm::length(force.force_n));
+  say(-0.138, texts::cue::kForceScale, 1.0 / force.scale, kTickDigits);
 }
 
 void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,
@@ -238,7 +247,7 @@ void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dve
   if (hand.pulling && hand.u > 0.0) addArrow(hand, target, room);
   if (hand.pulling && hand.offset_m != 0.0) addTurning(hand, target, room);
   addRay(hand, eyes_m, room);
-  if (hand.pulling) addScale(hand, target);  // last, so that nothing covers the scale
+  if (hand.pulling) addScale(hand, seen.self.force, target);  // last, so that nothing covers the scale
   const GlStateGuard state(picture.framebuffer(), picture.size_px());
   blendOver();
   ribbons_.draw(marks_, *clip, picture.size_px());

@@ -7,7 +7,8 @@
 // The scale stands beside and above the puck, at the puck's distance, upright for the person. Its height is
 // the stroke's cost, the kinetic energy γ − 1 in rest energies of the puck: ticks at 0.5, 0.8, 0.9 and 0.95 c
 // show that every further step towards c takes more than the last. Below the scale are the speed and the cost
-// that the stroke would now have.
+// that the stroke would now have. With a force device the force in the hand follows, and the room's scale:
+// "1 N = 2 N" where one newton in the hand is two at the cue.
 
 #include <string_view>
 #include <utility>
@@ -69,7 +70,7 @@ class CueOverlay {
   void addCue(const HandView& hand, const RoomGeometry& room);
   void addArrow(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room);
   void addTurning(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room);
-  void addScale(const HandView& hand, const FacingPlane& plane);
+  void addScale(const HandView& hand, const ForceView& force, const FacingPlane& plane);
 
   double rimOf(const HandView& hand) const;
   double ringOf(const HandView& hand) const;

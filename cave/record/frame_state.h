@@ -52,6 +52,7 @@ struct ViewerState {
   ObserverView observer;
   Tracked tracked;
   HandView hand;
+  ForceView force;
   Notice notice;
   Vec3 placeInRoom_m{0.0};  ///< of the head, as its clock took it (engine/spacetime/observers.h)
   double lapse = 1.0;       ///< the rate of a clock there, relative to the room's time

@@ -22,6 +22,14 @@ struct HandView {
   double offset_m = 0.0;        ///< how far to the right of the target's centre it would strike
 };
 
+/// The force in the hand, as its device's loop took it.
+struct ForceView {
+  std::uint8_t shown = 0;  ///< 1: a force device is in the hand
+  double scale = 1.0;      ///< s: 1 N in the hand is 1/s N at the cue
+  Vec3 place_m{0.0};       ///< of the device
+  Vec3 force_n{0.0};       ///< on the hand
+};
+
 /// Returns the energy that a stroke of u = γβ costs, in rest energies of the target: γ − 1.
 inline double costOf(double u) { return u * u / (1.0 + std::sqrt(1.0 + u * u)); }
 

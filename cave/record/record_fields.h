@@ -108,6 +108,15 @@ void visit(Hand& hand, Fields& fields) {
   fields("cue_offset_m", hand.offset_m, kNumber);
 }
 
+/// The session file has a table of its own for force devices.
+template <PartOf<ForceView> Force, typename Fields>
+void visit(Force& force, Fields& fields) {
+  fields("is_shown", force.shown, kFlag.in(Stored::apart));
+  fields("scale", force.scale, kNumber);
+  fields("place_", force.place_m, kNumber);
+  fields("force_n_", force.force_n, kVector);
+}
+
 template <PartOf<Score> AScore, typename Fields>
 void visit(AScore& score, Fields& fields) {
   fields("caroms", score.caroms, kCount);
@@ -234,7 +243,10 @@ template <PartOf<FrameRecord> Record, typename Fields>
 void visitAll(Record& record, Fields& fields) {
   visit(record, fields);
   visit(record.headset, fields);
-  for (auto& viewer : record.present()) visit(viewer, fields);
+  for (auto& viewer : record.present()) {
+    visit(viewer, fields);
+    visit(viewer.force, fields);
+  }
 }
 
 template <PartOf<Knot> AKnot, typename Fields>

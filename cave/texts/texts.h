@@ -37,7 +37,7 @@ inline constexpr Text kNotYet = "Not yet. Strike again, or try again from the be
 
 // The devices that hold the cue, in the order of InputDevices.
 inline constexpr std::array<Text, 3> kDevices{"wand", "mouse", "gamepad"};
-inline constexpr Text kGamepad = kDevices[2];
+inline constexpr Text kWand = kDevices[0], kGamepad = kDevices[2];
 
 namespace lesson {
 inline constexpr Text kQuestion = "Question:  ";
@@ -141,6 +141,13 @@ inline constexpr Text kStroke =
     "Your stroke runs to {} at the speed of light: {:.1f} s there, {:.1f} s back{}";
 inline constexpr Text kRightOfCentre = ", {:.0f} mm right of its centre";
 inline constexpr Text kLeftOfCentre = ", {:.0f} mm left of its centre";
+inline constexpr Text kForceOff = "No force in the hand: {}. Let go and press again";
+inline constexpr Text kForceLowered = "The force in the hand is softer than the rig asks: see the warning";
+inline constexpr Text kFeltMass =
+    "Your hand felt {:.2f} kg. At {:g} c it is γ³m = {:.2f} kg along the motion, γm = {:.2f} kg across";
+inline constexpr Text kHiddenMass =
+    "At {:g} c this device is too soft for so heavy a puck: no number. γ³m = {:.2f} kg along, γm = {:.2f} kg "
+    "across";
 inline constexpr Text kOutOfReach = "No stroke: {} can no longer be reached from here";
 inline constexpr std::array<Text, 3> kCueTaken{
     "The cue is in the wand's hand", "The cue is in the mouse's hand", "The cue is in the gamepad's hand"};
@@ -153,10 +160,12 @@ inline constexpr Text kEnd = "End   Escape", kGoOn = "Go on";
 }  // namespace ending
 
 // The scale beside a drawn cue: marks of speed, and the stroke's speed and energy. The wall draws digits,
-// '.', ' ', 'c', 'm' and '^', which is a raised 2.
+// '.', ' ', '=', 'c', 'm', 'N' and '^', which is a raised 2.
 namespace cue {
 inline constexpr std::array<Text, 4> kMarks{"0.5 c", "0.8 c", "0.9 c", "0.95 c"};
 inline constexpr Text kSpeed = "{:.2f} c", kEnergy = "{:.2f} mc^";
+// With a force device: what the hand feels, and how the scale of the room makes it.
+inline constexpr Text kForce = "{:.1f} N", kForceScale = "1 N = {:.2g} N";
 }  // namespace cue
 
 // The pages of a class that answers by phone: what app/classroom/pages names, and what phones are told.

@@ -1,6 +1,7 @@
 #include "devices/protocol/vrpn_decoder.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -133,7 +134,7 @@ void appendName(std::vector<std::uint8_t>& bytes, std::int32_t id, std::int32_t 
   appendRecord(bytes, id, what, payload);
 }
 
-constexpr std::int32_t kOurSender = 0, kOurPing = 0, kOurPong = 1;
+constexpr std::int32_t kOurSender = 0, kOurPing = 0, kOurPong = 1, kOurForceField = 2;
 
 }  // namespace
 
@@ -290,6 +291,27 @@ std::vector<std::uint8_t> vrpnPings(std::span<const VrpnDecoder::NamedSender> se
 std::vector<std::uint8_t> vrpnPong() {
   std::vector<std::uint8_t> bytes;
   appendRecord(bytes, kOurSender, kOurPong, {});
+  return bytes;
+}
+
+std::vector<std::uint8_t> vrpnForceDescription() {
+  std::vector<std::uint8_t> bytes;
+  appendName(bytes, kOurForceField, kTypeDescription, "vrpn_ForceDevice Force_Field");
+  return bytes;
+}
+
+std::vector<std::uint8_t> vrpnForceField(const VrpnForceField& field) {
+  std::vector<std::uint8_t> payload, bytes;
+  const auto put = [&payload](double value) {
+    append(payload, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+  };
+  for (int i = 0; i < 3; ++i) put(field.origin_m[i]);
+  for (int i = 0; i < 3; ++i) put(field.force_n[i]);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) put(field.jacobian_n_m[column][row]);
+  }
+  put(field.radius_m);
+  appendRecord(bytes, kOurSender, kOurForceField, payload);
   return bytes;
 }
 

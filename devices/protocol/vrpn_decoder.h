@@ -13,6 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
 #include "devices/tracker/reading.h"
 
 namespace carom {
@@ -88,5 +91,18 @@ std::vector<std::uint8_t> vrpnPings(std::span<const VrpnDecoder::NamedSender> se
 /// Return a ping, and the answer to one, for use after that description.
 std::vector<std::uint8_t> vrpnPing();
 std::vector<std::uint8_t> vrpnPong();
+
+/// Returns the name under which a client sends fields of force to a force device, for use after that
+/// description.
+std::vector<std::uint8_t> vrpnForceDescription();
+/// A field of force around a place: F = force + jacobian (x - origin) within the radius, and none beyond.
+struct VrpnForceField {
+  glm::dvec3 origin_m{0.0}, force_n{0.0};
+  glm::dmat3 jacobian_n_m{0.0};
+  double radius_m = 0.0;
+};
+/// Returns the message vrpn_ForceDevice Force_Field: 16 floats, the jacobian row by row. Source: VRPN,
+/// vrpn_ForceDevice.C, encode_forcefield.
+std::vector<std::uint8_t> vrpnForceField(const VrpnForceField& field);
 
 }  // namespace carom

@@ -30,6 +30,7 @@ NOT_SHOWN = {
     "keyFor", "Box", "kDriveModes", "decision.notes.push_back",
 }
 OWN_WORDS = {
+    "app/play/hand_force.cpp": "notes of a session file about force devices",
     "app/classroom/class_address.cpp": "messages of the command line about addresses",
     "app/classroom/class_flow.h": "names of the teacher's steps, as pages send them",
     "app/classroom/class_pages.cpp": "names in pages and signs of HTML",

@@ -812,6 +812,32 @@ TEST(LessonNumbers, MassEnergy) {
       .has(c_m_s, 2);
 }
 
+// A force F along the motion gives a = F/(γ³m), one across F/(γm): from p = γ m v by differences.
+TEST(LessonNumbers, Heavier) {
+  const Scenario scenario = shipped("heavier");
+  const auto momentum = [](double mass_kg, const Vec3& beta) {
+    return mass_kg / std::sqrt(1.0 - glm::dot(beta, beta)) * beta;
+  };
+  EXPECT_TRUE(scenario.lesson->plan.holds);
+  EXPECT_EQ(scenario.lesson->words.right, 2u);
+  Numbers numbers(claims(scenario));
+  for (const Puck& puck : scenario.billiard.pucks) {
+    constexpr double kStep = 1e-6;
+    const auto inertia = [&](const Vec3& way) {
+      const Vec3 beta(puck.beta, 0.0);
+      return glm::length(momentum(puck.mass_kg, beta + kStep * way) - momentum(puck.mass_kg, beta)) / kStep;
+    };
+    const double along_kg = inertia({1.0, 0.0, 0.0}), across_kg = inertia({0.0, 1.0, 0.0});
+    EXPECT_EQ(puck.mass_kg, 0.2);
+    if (puck.beta.x == 0.0) {
+      EXPECT_NEAR(along_kg, across_kg, 1e-6);
+      numbers.has(puck.beta.x, 0).has(along_kg, 1);
+    } else {
+      numbers.has(puck.beta.x, 1).has(along_kg, puck.beta.x > 0.85 ? 1 : 2).has(across_kg, 2);
+    }
+  }
+}
+
 /// A shock into matter at rest whose end is pushed to V, c = 1: momentum and energy are kept across it, with
 /// the rest energy 1 + (a/2)(s + 1/s − 2) + q of matter stretched s times.
 struct Shock {

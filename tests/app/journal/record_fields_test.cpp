@@ -90,10 +90,11 @@ class Changer : public FieldVisitor {
   bool isChanged_ = false;
 };
 
-/// A frame of two viewers and a headset.
+/// A frame of two viewers with force devices, and a headset.
 FrameState frameForTwo() {
   FrameState state = frameOf(1);
   state.record.viewerCount = 2;
+  state.record.viewers[0].force.shown = 1;
   state.record.viewers.fill(ViewerState(state.record.viewers[0]));
   state.record.viewers[1].hasTurn = 1;
   state.record.headset.isWorn = 1;
@@ -201,7 +202,7 @@ TEST(RecordFields, TheTablesHaveTheColumnsOfTheirVersion) {
       found += " " + name;
     EXPECT_EQ(found, expected);
   }
-  EXPECT_EQ(tables, 5);
+  EXPECT_EQ(tables, 6);
 }
 
 }  // namespace
