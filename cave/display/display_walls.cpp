@@ -10,7 +10,7 @@ DisplayWalls::DisplayWalls(Graphics& graphics, const Scene& scene, double lightS
     : graphics_(graphics),
       pictures_(graphics, scene, lightSpeed_m_s,
                 placedIn(visible ? oneWindow : std::nullopt, std::move(walls))),
-      windows_(graphics, pictures_, visible) {
+      windows_(graphics, pictures_, visible, oneWindow.has_value()) {
   overlays_.setScene(scene);
 }
 

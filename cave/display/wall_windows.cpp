@@ -20,11 +20,11 @@ std::vector<Wall> placedIn(const std::optional<WindowPlacement>& oneWindow, std:
   return walls;
 }
 
-WallWindows::WallWindows(Graphics& graphics, const WallPictures& pictures, bool visible)
+WallWindows::WallWindows(Graphics& graphics, const WallPictures& pictures, bool visible, bool inOneWindow)
     : graphics_(graphics), pictures_(pictures) {
   if (!visible || pictures.walls().empty()) return;
   for (const Wall& wall : pictures.walls()) projections_.push_back(projectionOf(wall));
-  group();
+  group(inOneWindow);
   keepDisplayAwake();
   for (WallWindow& window : windows_) {
     std::string title;
@@ -43,12 +43,13 @@ WallWindows::WallWindows(Graphics& graphics, const WallPictures& pictures, bool 
 }
 
 /// Settles which walls share a window.
-void WallWindows::group() {
+void WallWindows::group(bool inOneWindow) {
   for (std::size_t wall = 0; wall < pictures_.walls().size(); ++wall) {
     const Wall& shown = pictures_.walls()[wall];
     const bool shared = shown.viewport.has_value();
     const auto found = std::find_if(windows_.begin(), windows_.end(), [&](const WallWindow& window) {
-      return shared && window.shared && window.node == shown.node && window.placement == shown.window;
+      return shared && window.shared && (inOneWindow || window.node == shown.node) &&
+             window.placement == shown.window;
     });
     if (found != windows_.end()) {
       found->walls.push_back(wall);

@@ -22,8 +22,9 @@ std::vector<Wall> placedIn(const std::optional<WindowPlacement>& oneWindow, std:
 class WallWindows {
  public:
   /// Opens the windows of the walls of `pictures`, which must outlive this object: walls with a viewport in
-  /// the same place share one. If not `visible`, none opens.
-  WallWindows(Graphics& graphics, const WallPictures& pictures, bool visible);
+  /// the same place of one node's display share one; with `inOneWindow`, all walls do. If not `visible`, none
+  /// opens.
+  WallWindows(Graphics& graphics, const WallPictures& pictures, bool visible, bool inOneWindow);
 
   /// Puts the pictures into the windows, or black; `swap` makes them visible. `over`: draws over them.
   void show(bool black, const std::function<void()>& over);
@@ -53,7 +54,7 @@ class WallWindows {
     std::vector<std::size_t> walls;
     std::unique_ptr<Window> window;
   };
-  void group();
+  void group(bool inOneWindow);
   void swapTogether();
   Viewport placeIn(const WallWindow& window, std::size_t wall) const;
   std::size_t nearestTo(const glm::dvec2& pointer_px, const WallWindow& window) const;

@@ -279,7 +279,10 @@ Corners::Gap Corners::gap() const {
     double least = kNever, along = 1.0;
     for (const Spot& spot : std::span(spots).first(count)) {
       const double outside = glm::dot(side.normal, spot.place) - side.offset;
-      if (outside < least) least = outside, along = glm::dot(side.normal, outwards(spot));
+      if (outside < least) {
+        least = outside;
+        along = glm::dot(side.normal, outwards(spot));
+      }
     }
     if (least > widest.width) widest = {least, along};
   }

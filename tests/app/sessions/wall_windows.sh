@@ -68,6 +68,11 @@ begin "$out/span.toml"
 lies a 1920x900+0+0
 end
 
+# One window for all walls, where one computer draws those of four.
+begin "$config/rigs/cylinder.toml"
+xdotool search --limit 1 --name "Carom: arc-1, arc-2, arc-3, arc-4" >/dev/null || fail "there is no window of all four walls"
+end
+
 for place in 0,0 333,0 0,111 333,111; do
   wall "w${place/,/-}" "monitor = \"right\", position = [${place/,/, }], size = [333, 111]"
 done | rig >"$out/four.toml"
