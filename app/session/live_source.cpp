@@ -58,9 +58,11 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   if (lastOf<StartTour>(input.commands)) room_.setOut();
   const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
   move({times, settings.eyeSeparation_m, pace, wish, inputs_.steering()}, settings, still, shot, decision);
-  const HandRules rules{settings, lesson_.asks(), !still && !shot && !scenario_.lesson};
+  const bool timePasses = !still && !shot;
+  const HandRules rules{settings, lesson_.asks(), timePasses && !scenario_.lesson};
+  if (timePasses) Players::feel(world_, inputs_, decision.frame.record);
   players_.act(rules, room_.viewers(), inputs_, game_, announcements_, decision);
-  if (!still && !shot) players_.see(world_, settings, inputs_, announcements_, decision);
+  if (timePasses) players_.see(world_, settings, announcements_, decision);
   tell(input.commands, settings, still, decision);
   playGame(settings, decision.frame);
   finish(given, decision);

@@ -112,13 +112,16 @@ void Players::struck(std::size_t viewer, const CueInteraction::Outcome& outcome,
   tasks_.struck(viewer, *outcome.stroke, outcome.arrives_s);
 }
 
-void Players::see(const World& world, const OperatorSettings& settings, PlayerInputs& inputs,
-                  Announcements& announcements, Decision& decision) {
+void Players::feel(const World& world, PlayerInputs& inputs, const FrameRecord& record) {
+  for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
+    if (HandForce* const force = inputs.force(viewer)) force->see(world.events, record, viewer);
+  }
+}
+
+void Players::see(const World& world, const OperatorSettings& settings, Announcements& announcements,
+                  Decision& decision) {
   const std::span<const GameEvent> events = world.events;
   FrameRecord& record = decision.frame.record;
-  for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
-    if (HandForce* const force = inputs.force(viewer)) force->see(events, record, viewer);
-  }
   shots_.see({record.viewers[striker_].observer, record.boardFromRoom, record.display_s});
   if (const auto seen = hit_.look(events, record); seen && seen->size() > 1)
     announcements.tellWhoSawFirst(*seen, decision);

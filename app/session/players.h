@@ -43,15 +43,18 @@ class Players {
   /// Returns the view of the best shot while it is shown again, or null.
   const ShotView* shot(double display_s) const { return replay_.view(shots_, display_s); }
 
+  /// Lets hands feel what their strokes do, in the frame in which it is seen and time passes. Before `act`,
+  /// which posts it to the devices.
+  static void feel(const World& world, PlayerInputs& inputs, const FrameRecord& record);
+
   /// Lets each hand act on the game: strokes, presses on buttons, answers.
   void act(const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs, Game& game,
            Announcements& announcements, Decision& decision);
 
   /// Looks at what each viewer sees of the events in a frame in which time passes: counts a carom when the
-  /// one who struck sees it, and says so; tells who saw a hit first; judges the task; lets hands feel what
-  /// their strokes do.
-  void see(const World& world, const OperatorSettings& settings, PlayerInputs& inputs,
-           Announcements& announcements, Decision& decision);
+  /// one who struck sees it, and says so; tells who saw a hit first; judges the task.
+  void see(const World& world, const OperatorSettings& settings, Announcements& announcements,
+           Decision& decision);
 
   /// Returns the earliest view that may be shown again, or that of the one who struck last.
   const ObserverView& earliest(const FrameRecord& record) {

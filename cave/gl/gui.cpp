@@ -75,7 +75,8 @@ void holdModifiers(ImGuiIO& io, bool control, bool shift, bool alt) {
 #endif
 
 /// European and Greek letters, raised and lowered digits, arrows and the signs of mathematics.
-constexpr ImWchar kLetters[] = {0x20, 0x24F, 0x370, 0x3FF, 0x2010, 0x209C, 0x2100, 0x214F, 0x2190, 0x22FF, 0};
+constexpr ImWchar kLetters[] = {0x20,   0x24F,  0x370,  0x3FF,  0x2010, 0x209C, 0x2100,
+                                0x214F, 0x2190, 0x22FF, 0x2713, 0x2713, 0};
 
 }  // namespace
 

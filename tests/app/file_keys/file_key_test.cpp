@@ -110,10 +110,12 @@ void compare(const FileKey& file, const Read& read, const std::vector<Variant>& 
 TEST(FileKey, ReaderOfPlaylistsReadsTheDeclaredKeys) { compare(playlistKeys(), readPlaylist, {{}}); }
 
 TEST(FileKey, ReaderOfRigsReadsTheDeclaredKeys) {
-  const std::string osc = "kind = 'osc'", dome = "shape = 'dome'", grid = "shape = 'grid'";
+  const std::string osc = "kind = 'osc'", dome = "shape = 'dome'", grid = "shape = 'grid'",
+                    wand = "tracker = 'wand'";
   const Variant forOne{.leftOut = {"headset", "viewer", "wall.screen", "wall.sky"},
-                       .more = {{"tracker", osc}}},
-      forSeveral{.leftOut = {"headset", "head", "hand", "wall.screen", "wall.sky"}},
+                       .more = {{"tracker", osc}, {"hand", wand}}},
+      forSeveral{.leftOut = {"headset", "head", "hand", "wall.screen", "wall.sky"},
+                 .more = {{"viewer.hand", wand}}},
       ofHeadset{.leftOut = {"head", "hand", "viewer", "tracker", "wall", "node"}},
       ofCylinder{.leftOut = {"headset", "viewer"}}, ofSky{.leftOut = {"headset", "viewer", "wall.screen"}},
       ofDome{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", dome}}},

@@ -60,8 +60,9 @@ class PlayersWithForce : public testing::Test {
     room_.viewers().putInto(record);
     record.viewers[0].observer = views[0];
     record.boardFromRoom = room_.viewers().boardFromRoom();
+    Players::feel(world_, inputs_, record);
     players_.act({settings_, false, true}, room_.viewers(), inputs_, game_, announcements_, decision_);
-    players_.see(world_, settings_, inputs_, announcements_, decision_);
+    players_.see(world_, settings_, announcements_, decision_);
     game_.advance(latestObservation_s(record), decision_.frame);
     applyFrame(decision_.frame, world_);
     return record;
@@ -126,7 +127,10 @@ TEST_F(PlayersWithForce, ADrawIsMeasuredInRapidityAndYieldsToItsForce) {
   EXPECT_EQ(own.force.scale, cue.scale);
   // At rest the force of the law is that with which the simulated hand pulls, 250 N/m times what it lacks.
   EXPECT_NEAR(glm::length(own.force.force_n), cue.force_n(drawn_m), 0.02);
-  EXPECT_NEAR(glm::length(own.force.force_n), 250.0 * (0.12 - drawn_m), 0.05);
+  // It wants to draw farther by the ray that goes on from the puck's middle to the cloth.
+  const double eye_m = own.observer.middle.positionInRoom_m.y - 0.75, puck_m = puck_m_.y - 0.75;
+  const double wanted_m = 0.12 * eye_m / (eye_m - puck_m);
+  EXPECT_NEAR(glm::length(own.force.force_n), 250.0 * (wanted_m - drawn_m), 0.05);
   EXPECT_NEAR(glm::dot(glm::normalize(own.force.force_n), own.hand.towards), 1.0, 1e-3) << "towards the puck";
 }
 
