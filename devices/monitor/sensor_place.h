@@ -2,7 +2,6 @@
 // The last known place of a tracker's sensor.
 
 #include <limits>
-#include <optional>
 #include <span>
 
 #include "devices/tracker/tracker.h"
@@ -31,7 +30,7 @@ class SensorPlace {
   }
   const Pose& roomFromSensor() const { return roomFromSensor_; }
   /// Whether a pose has arrived within kHandLost_s.
-  bool isKnown(double now_s) const { return told_s_ && now_s - *told_s_ <= kHandLost_s; }
+  bool isKnown(double now_s) const { return now_s - told_s_ <= kHandLost_s; }
 
   double newest_s() const { return newest_s_; }  ///< time of the newest sample; NaN: none yet
   double rate_hz() const { return rate_hz_; }    ///< of samples, about the last second; NaN at first
@@ -39,7 +38,7 @@ class SensorPlace {
  private:
   int sensor_;
   Pose roomFromTracker_, roomFromSensor_;
-  std::optional<double> told_s_;
+  double told_s_ = -std::numeric_limits<double>::infinity();
   double newest_s_ = std::numeric_limits<double>::quiet_NaN();
   double rate_hz_ = std::numeric_limits<double>::quiet_NaN();
   double countedFrom_s_ = 0.0;
