@@ -116,6 +116,7 @@ double circlesPart(const MovingShape& first, const MovingShape& second, const Co
 }  // namespace
 
 bool partElsewhere(const std::array<std::vector<MovingShape>, 2>& flights, const PersistentContact& earlier) {
+  if (!flights[0].front().outline->isConvex() || !flights[1].front().outline->isConvex()) return false;
   const ContactWindow window = windowAt(earlier);
   std::array<std::size_t, 2> at{0, 0};
   const auto turn = [&](int k) {

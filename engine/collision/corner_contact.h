@@ -54,8 +54,9 @@ std::optional<CornerContact> findCornerContact(const MovingShape& first, const M
                                                const Vec21& order,
                                                const PersistentContact* earlier = nullptr);
 
-/// Returns whether two convex bodies will part for good on another side than that of an earlier contact. Each
-/// of them follows its flights one after the other, from the contact or the start of the first one on.
+/// Returns whether two bodies will part for good on another side than that of an earlier contact; only of
+/// convex ones this is known. Each follows its flights one after the other, from the contact or the first
+/// start on.
 bool partElsewhere(const std::array<std::vector<MovingShape>, 2>& flights, const PersistentContact& earlier);
 
 /// Returns how two bodies have come from an earlier contact by the moment at which the later flight begins,

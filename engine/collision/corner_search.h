@@ -102,7 +102,7 @@ struct Passage {
   /// one.
   bool isOver() const { return !overlapping && !elsewhere; }
 };
-/// Follows two convex bodies up to a time of `windowAt(earlier)`; other bodies are left alone.
+/// Follows two convex bodies up to a time of `windowAt(earlier)`.
 void followPassage(const MovingShape& first, const MovingShape& second, const PersistentContact& earlier,
                    double until, Passage& passage);
 PenetrationState penetrationOfDisc(const MovingShape& first, const MovingShape& second, const Vec21& U,

@@ -519,7 +519,6 @@ PenetrationState penetrationOfCorners(const MovingShape& first, const MovingShap
 
 void followPassage(const MovingShape& first, const MovingShape& second, const PersistentContact& earlier,
                    double until, Passage& passage) {
-  if (!first.outline->isConvex() || !second.outline->isConvex()) return;
   ContactWindow now = windowAt(earlier);
   now.from = std::max({now.from, now.timeOf(first.start), now.timeOf(second.start)});
   const double size = first.radius + second.radius;
