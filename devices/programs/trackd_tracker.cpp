@@ -28,6 +28,7 @@ constexpr auto kLookEvery = 300us, kWatchEvery = 50us;  // while the daemon's pa
 constexpr auto kUnchangedIfLate = 1000us;
 constexpr int kMostLooks = 8;        // at sensors that keep changing
 constexpr auto kCheckEvery = 250ms;  // whether the segment is still there
+constexpr auto kBadFor = 250ms;      // a header that makes no sense for longer is no header
 constexpr auto kPause = 1000ms;
 constexpr auto kAliveEvery = 100ms;  // a sensor without a time, at rest, counts as seen again
 constexpr auto kQuietFor = 1s;
@@ -168,11 +169,26 @@ class Session {
     }
   }
 
+  /// Returns the header; nothing, for a while, if it makes no sense: a daemon may be writing it.
+  std::optional<TrackdSensors> headerAt(Clock::time_point now) {
+    try {
+      const TrackdSensors header = readHeader();
+      sound_ = now;
+      return header;
+    } catch (const std::runtime_error&) {
+      if (now - sound_ > kBadFor) throw;
+      sink_.refused();
+      return {};
+    }
+  }
+
   void look() {
     const auto now = Clock::now();
     const auto sinceLast = now - looked_;
     looked_ = now;
-    const TrackdSensors header = readHeader();
+    const auto read = headerAt(now);
+    if (!read) return;
+    const TrackdSensors& header = *read;
     const double written_s = timeOf(header.seconds, header.microseconds);
     const bool headerMoved = written_s == written_s && written_s != written_s_;
     readings_.clear();
@@ -199,7 +215,7 @@ class Session {
     Clock::duration wait = std::clamp(sinceLast, settle, std::max<Clock::duration>(settle, kUnchangedIfLate));
     for (int looks = 0; looks < kMostLooks && !changed_.empty(); ++looks) {
       std::this_thread::sleep_for(std::exchange(wait, settle));
-      const TrackdSensors later = readHeader();
+      const TrackdSensors later = headerAt(Clock::now()).value_or(header);
       const double written_s = timeOf(later.seconds, later.microseconds);
       std::erase_if(changed_, [&](std::size_t i) {
         const TrackdSensorBytes again = copyTrackdSensor(segment_.bytes(), header, i);
@@ -251,7 +267,7 @@ class Session {
   std::vector<Reading> readings_;
   double written_s_ = kNone;  // when the daemon last wrote
   std::string remark_;
-  Clock::time_point checked_ = Clock::now(), heard_ = checked_, looked_ = checked_;
+  Clock::time_point checked_ = Clock::now(), heard_ = checked_, looked_ = checked_, sound_ = checked_;
 };
 
 int readKey(std::string_view text) {

@@ -227,6 +227,25 @@ TEST(TrackdTracker, SaysThatTheDaemonHasEnded) {
   EXPECT_EQ(head.health().state, State::silent);
 }
 
+TEST(TrackdTracker, AHeaderThatIsBadForAMomentCostsAMoment) {
+  TrackdSensorsWriter writer(1);
+  Watched head(transportOf(writer.segment.key()));
+  ASSERT_TRUE(head.comesTrue([&] {
+    return writer.write(0, {1, 2, 3}, {}, 1.8e9 + head.now_s()), !head.samples.empty();
+  }));
+  head.samples.clear();
+  for (int i = 0; i < 50; ++i) {
+    writer.segment.put(12, std::uint32_t{0});
+    std::this_thread::sleep_for(3ms);
+    writer.segment.put(12, std::uint32_t{40});
+    writer.write(0, {1, 2, 3}, {}, 1.8e9 + head.now_s());
+    std::this_thread::sleep_for(8ms);
+    head.poll();
+  }
+  EXPECT_GE(head.samples.size(), 40u);
+  EXPECT_EQ(head.health().reconnections, 0u);
+}
+
 TEST(TrackdTracker, ASegmentThatIsNotTrackdsIsNamed) {
   Segment tiny(8);
   Watched first(transportOf(tiny.key()));
