@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "app/room_formats/room_parts.h"
 #include "app/room_import/foreign_room.h"
@@ -76,7 +77,9 @@ struct Handed {
 
 class EqcReading {
  public:
-  EqcReading(const Part& config, Room& room) : config_(config), room_(room), ranks_(room) {}
+  /// `global`: the file's usual values, or null.
+  EqcReading(const Part& config, const Part* global, Room& room)
+      : config_(config), global_(global), room_(room), ranks_(room) {}
 
   void read() {
     for (const Part& part : config_.parts) {
@@ -121,6 +124,12 @@ class EqcReading {
   void readObserver() {
     double apart_m = 0.05;  // Equalizer's default eye base
     FilePlace at = config_.at;
+    for (const auto& [whole, name] : {std::pair(global_, "EQ_CONFIG_FATTR_EYE_BASE"),
+                                      std::pair(config_.find("attributes"), "eye_base")}) {
+      if (!whole || !whole->find(name)) continue;
+      apart_m = number(*whole, name, kNotNegative, false, room_).value_or(apart_m);
+      at = whole->placeOf(name);
+    }
     const std::vector<const Part*> observers = config_.all("observer");
     for (const Part* observer : observers) {
       apart_m = number(*observer, "eye_base", kNotNegative, false, room_).value_or(apart_m);
@@ -213,7 +222,7 @@ class EqcReading {
       if (corners && segment->find("viewport"))
         room_.assumptions.push_back(fmt::format(
             "the segment has a wall of its own, so its viewport on the canvas is left out, line {}",
-            own.line));
+            segment->find("viewport")->at.line));
       if (!corners && whole && share) corners = cut(*whole, *share);
       const Part* channel = segment->find("channel");
       if (!channel) {
@@ -240,6 +249,14 @@ class EqcReading {
     for (const Part* child : compound.all("compound")) readCompound(*child, handed, depth + 1);
   }
 
+  /// Returns whether a hint of a channel's window is on: its own, or else that of all windows.
+  bool hasHint(const EqcChannel& channel, std::string_view own, std::string_view ofAll) const {
+    const Part* attributes = channel.window->find("attributes");
+    const Part* hint = attributes ? attributes->find(own) : nullptr;
+    if (!hint && global_) hint = global_->find(ofAll);
+    return hint && alike(hint->text, "ON");
+  }
+
   /// Returns the eyes of a list such as [ LEFT CYCLOP ].
   StereoMode stereoOf(const Part* eyes, const EqcChannel& channel) {
     bool left = false, right = false;
@@ -249,8 +266,7 @@ class EqcReading {
       right = right || alike(eye.text, "RIGHT");
     }
     if (left != right) return left ? StereoMode::left : StereoMode::right;
-    const Part* attributes = channel.window->find("attributes");
-    const bool quad = attributes && alike(attributes->textOf("hint_stereo"), "ON");
+    const bool quad = hasHint(channel, "hint_stereo", "EQ_WINDOW_IATTR_HINT_STEREO");
     return quad ? StereoMode::quadBuffer : StereoMode::mono;
   }
 
@@ -311,13 +327,13 @@ class EqcReading {
     placed.position_px = window->position_px;
     placed.size_px =
         glm::clamp(window->size_px, glm::ivec2(1), glm::ivec2(static_cast<int>(kMostRoomPixels)));
-    const Part* attributes = channel.window->find("attributes");
-    placed.fullscreen = attributes && alike(attributes->textOf("hint_fullscreen"), "ON");
+    placed.fullscreen = hasHint(channel, "hint_fullscreen", "EQ_WINDOW_IATTR_HINT_FULLSCREEN");
     if (const auto part = pixelsOf(*channel.part, placed.size_px, true))
       placeInWindow(placed, part->position_px, part->size_px, wall, room_);
   }
 
   const Part& config_;
+  const Part* global_;
   Room& room_;
   Ranks ranks_;
   std::map<std::string, EqcChannel> channels_;
@@ -355,7 +371,7 @@ Room readEqc(const std::filesystem::path& file, const Part& root, const std::str
     addError(room, server ? server->at : FilePlace{},
              "there is no config here, expected server { config { … } }");
   } else {
-    EqcReading(*config, room).read();
+    EqcReading(*config, root.find("global"), room).read();
   }
   nameUnread(root, kQuiet, room);
   room.assumptions.push_back("lengths are metres, axes x right, y up, z back, as Equalizer has them");

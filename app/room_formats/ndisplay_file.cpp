@@ -258,10 +258,10 @@ class NdisplayReading {
     }
     if (const Part* remap = viewport.find("outputRemap")) remap->isRead = true;
     warnOfRemap(*view.node);
+    const std::string host = view.node->textOf("host");
     const auto corners = scene_.cornersOf(screen);
     if (!corners) return;
     // Two processes of a computer, one for each eye, are two ranks of it.
-    const std::string host = view.node->textOf("host");
     wall.wall.node = rankOf(view.node, host);
     addWall(std::move(wall), *corners, room_);
   }

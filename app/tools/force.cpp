@@ -8,7 +8,6 @@
 #include <ctime>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -100,15 +99,22 @@ class Rows {
   std::string text_;
 };
 
-/// Returns the number of ticks from the first row of a trace to its last. Throws if that takes too long.
+/// Returns the number of ticks from the first row of a trace to its last.
 long ticksIn(const std::vector<HandRow>& hand, const ForceLimits& limits) {
-  constexpr double kRounding = 1e-6, kMostTicks = 4e6;
+  constexpr double kRounding = 1e-6;
+  return 1 + static_cast<long>(
+                 std::floor((hand.back().time_s - hand.front().time_s) / limits.period_s + kRounding));
+}
+
+/// Throws InputError if a trace takes more ticks than rows can be kept.
+void checkLength(const std::vector<HandRow>& hand, const ForceLimits& limits,
+                 const std::filesystem::path& file) {
+  constexpr double kMostTicks = 4e6;
   const double lasts_s = hand.back().time_s - hand.front().time_s;
   if (lasts_s > kMostTicks * limits.period_s)
-    throw std::runtime_error(
-        fmt::format("the trace lasts {:g} s, expected at most {:g} s at this device's rate", lasts_s,
-                    kMostTicks * limits.period_s));
-  return 1 + static_cast<long>(std::floor(lasts_s / limits.period_s + kRounding));
+    throw InputError(file.string(), 2, 1,
+                     fmt::format("the trace lasts {:g} s, expected at most {:g} s at this device's rate",
+                                 lasts_s, kMostTicks * limits.period_s));
 }
 
 /// The hand is where the trace says, whatever the force. The port's sum is that of the trapezoidal rule.
@@ -147,7 +153,9 @@ void runPushes(const std::vector<HandRow>& hand, Feeling& feeling, Rows& rows) {
 
 int runRecorded(const ForceOptions& options, Feeling& feeling) {
   WholeFile out(options.csv);
-  const std::vector<HandRow> hand = readHandRows(options.positions ? *options.positions : *options.pushes);
+  const std::filesystem::path& file = options.positions ? *options.positions : *options.pushes;
+  const std::vector<HandRow> hand = readHandRows(file);
+  checkLength(hand, feeling.limits, file);
   Rows rows(feeling.law, options.hold.has_value());
   if (options.positions)
     runPositions(hand, feeling, rows);
@@ -176,8 +184,9 @@ std::string tableOf(const Feeling& feeling, const ForceReport& report, const std
   std::string text = fmt::format("{}: {}\n", nameOf(feeling.setup),
                                  report.active ? "the button is held" : "no button is held");
   text += fmt::format("place     {:8.1f} {:8.1f} {:8.1f} mm\n", 1e3 * r.x, 1e3 * r.y, 1e3 * r.z);
-  text += fmt::format("force     {:8.3f} {:8.3f} {:8.3f} N, s = {:.3g} (1 N here is {:.2g} N)\n", f.x, f.y,
-                      f.z, feeling.law.cue.scale, 1.0 / feeling.law.cue.scale);
+  const double scale = feeling.law.cue.scale;  // 0 while no button is held
+  text += fmt::format("force     {:8.3f} {:8.3f} {:8.3f} N, s = {:.3g}{}\n", f.x, f.y, f.z, scale,
+                      scale > 0.0 ? fmt::format(" (1 N here is {:.2g} N)", 1.0 / scale) : "");
   text += fmt::format("rate      {:8.1f} Hz\nport      {:8.4f} J\n", report.rate_hz, report.port_j);
   text += fmt::format("limited by {}\n", limitWords(report));
   if (report.falls > 0)

@@ -27,7 +27,7 @@ constexpr std::array<double, 4> kTicks{0.5, 0.8, 0.9, 0.95};  // of c
 constexpr double kDigits = 0.025, kTickDigits = 0.016;        // heights, as fractions of the distance
 constexpr double kBar = 0.010, kPanel = 0.076,
                  kPanelMiddle = 0.055;                     // half widths, and the place of the panel's middle
-constexpr double kReadout = 0.092, kForceReadout = 0.056;  // heights of the numbers below the bar
+constexpr double kReadout = 0.092, kForceReadout = 0.064;  // heights of the numbers below the bar
 
 /// Returns the pen strokes of a letter: points on a grid of 2 × 4 (right, up), with a blank where the pen is
 /// lifted; '^' is a raised 2.
@@ -233,8 +233,8 @@ void CueOverlay::addScale(const HandView& hand, const ForceView& force, const Fa
   say(-0.042, texts::cue::kSpeed, betaOf(hand.u));
   say(-0.080, texts::cue::kEnergy, cost);
   if (!force.shown) return;
-  say(-0.114, texts::cue::kForce, glm::length(force.force_n));
-  say(-0.138, texts::cue::kForceScale, 1.0 / force.scale, kTickDigits);
+  say(-0.118, texts::cue::kForce, glm::length(force.force_n));
+  say(-0.145, texts::cue::kForceScale, 1.0 / force.scale, kTickDigits);
 }
 
 void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dvec3& eyeInRoom_m,

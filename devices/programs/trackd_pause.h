@@ -5,6 +5,7 @@
 // for the rest of the daemon's period. A reader who takes only what stays for longer than the pause takes
 // whole poses, whether the daemon writes the time first or last. A pause shows itself as two changes of one
 // pose with one new time between them: the shorter of the gaps before and after a change without a new time.
+// Where the time comes last, a half pose has an old time, and nothing needs to be waited for.
 
 #include <array>
 #include <chrono>
@@ -18,7 +19,7 @@ class TrackdPause {
   using Clock = std::chrono::steady_clock;
 
   static constexpr std::chrono::microseconds kLeast{200}, kMost{2000};
-  static constexpr std::size_t kWatched = 16;  ///< poses after which a pause that is usual is known
+  static constexpr std::size_t kWatched = 16;  ///< poses after which the daemon's usual pause is known
 
   /// Notes a look at one sensor at which its bytes differed from those of the look before. `isLater`: its
   /// time is a new one.
@@ -27,14 +28,14 @@ class TrackdPause {
   /// Returns whether enough poses have been watched; a daemon that gives no times needs none.
   bool isKnown() const { return changes_ >= 2 * kWatched || poses_ >= kWatched; }
   /// Returns for how long a pose is to stay unchanged before it is taken: half as long again as the daemon's
-  /// usual pause, within kLeast and kMost. Single longer pauses do not count: a busy computer stops the
-  /// daemon anywhere.
-  Clock::duration settle() const;
+  /// usual pause, within kLeast and kMost; kLeast if its poses are known by their times, and these come last.
+  /// Single longer pauses do not count: a busy computer stops the daemon anywhere.
+  Clock::duration settle(bool isKnownByTime) const;
 
  private:
-  static constexpr std::size_t kRemembered = 64, kRare = 3;  // poses; of them may be longer
-  std::array<Clock::duration, kRemembered> pauses_{};        // of the last poses; 0: none was seen
-  std::size_t poses_ = 0, changes_ = 0;
+  static constexpr std::size_t kSeldom = 4;          // of kWatched poses; fewer pauses are none
+  std::array<Clock::duration, kWatched> watched_{};  // of the first poses; 0: none was seen
+  std::size_t poses_ = 0, changes_ = 0, timesFirst_ = 0, timesLast_ = 0;
   std::optional<Clock::time_point> last_;
   std::optional<Clock::duration> before_;  // the gap before a change without a new time
   Clock::duration inPose_{0};

@@ -73,7 +73,7 @@ class FollowedSensor {
   bool hasTimes() const { return hasTimes_; }
   /// Returns whether the daemon moves it and its pauses are still to be learned.
   bool isWatched() const { return pause_.isBegun() && !pause_.isKnown(); }
-  Clock::duration settle() const { return pause_.settle(); }
+  Clock::duration settle() const { return pause_.settle(hasTimes_); }
 
  private:
   static bool hasOtherTime(const TrackdSensorBytes& a, const TrackdSensorBytes& b) {

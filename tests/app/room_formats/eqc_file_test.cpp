@@ -81,6 +81,24 @@ TEST(EqcFile, CompoundsHandTheirChannelAndEyesDown) {
   expectCorners(room, "c", {2, 0, 2}, {2, 0, -2}, {2, 2, 2});
 }
 
+TEST(EqcFile, UsualValuesOfAllWindowsCount) {
+  const std::string mark = "#Equalizer 1.2 ascii\n";
+  const std::string usual =
+      with(kCave, mark,
+           mark +
+               "global { EQ_WINDOW_IATTR_HINT_STEREO ON EQ_WINDOW_IATTR_HINT_FULLSCREEN ON "
+               "EQ_CONFIG_FATTR_EYE_BASE 0.06 }\n");
+  const Room room =
+      roomOf("room.eqc", with(with(usual, "eye_base .07", ""), "attributes { hint_stereo ON }", ""));
+  EXPECT_EQ(wallOf(room, "high").wall.stereo, StereoMode::quadBuffer);
+  EXPECT_TRUE(wallOf(room, "high").wall.window.fullscreen);
+  EXPECT_EQ(room.eyeSeparation_m, 0.06);
+  EXPECT_EQ(wallOf(room, "l").wall.stereo, StereoMode::left) << "one eye stays one";
+  const Room own = roomOf("room.eqc", with(usual, "hint_stereo ON", "hint_stereo OFF"));
+  EXPECT_EQ(wallOf(own, "high").wall.stereo, StereoMode::mono) << "its own word counts";
+  EXPECT_EQ(own.eyeSeparation_m, 0.07);
+}
+
 TEST(EqcFile, OneOfSeveralConfigurationsIsChosen) {
   const auto config = [](const std::string& name, const std::string& width) {
     return "config { " + name +

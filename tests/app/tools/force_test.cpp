@@ -202,7 +202,9 @@ TEST(Force, WrongHandsAreNamedWithTheirPlace) {
            {head + "0,0,0,0\n", "hand.csv:2:1: the row has 4 columns, expected 5"},
            {head + "0,0,nan,0,1\n", "hand.csv:2:1: y_m is 'nan'"},
            {head + "0,0,0,0,2\n", "hand.csv:2:1: pressed is neither 0 nor 1"},
-           {head + "0,0,0,0,1\n0,0,0,0,1\n", "hand.csv:3:1: time_s does not increase"}}) {
+           {head + "0,0,0,0,1\n0,0,0,0,1\n", "hand.csv:3:1: time_s does not increase"},
+           {head + "0,0,0,0,1\n1e9,0,0,0,1\n",
+            "hand.csv:2:1: the trace lasts 1e+09 s, expected at most 4000 s"}}) {
     EXPECT_NE(said(trace).find(words), std::string::npos) << trace << said(trace);
   }
   EXPECT_NE(runCarom(folder, {"force", folder.file("r.toml", rigWith(kSimulated)), "--hold", "nobody",
