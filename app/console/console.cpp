@@ -213,7 +213,7 @@ void Console::drawTabs(const ConsoleFrame& frame) {
     ImGui::EndChild();
     ImGui::EndTabItem();
   };
-  // Whoever leads a class has it at hand, also where not all names fit.
+  // The first, so that its name fits where not all do.
   if (frame.classroom) tab(texts::console::kClassTab, [&] { drawClass(frame); });
   tab(texts::console::kGamesTab, [&] { games_.draw(frame); });
   tab(texts::console::kTrackersTab, [&] { drawTrackers(frame); });

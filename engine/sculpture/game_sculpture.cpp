@@ -58,12 +58,15 @@ class Maker {
         options_(options),
         frame_{Lorentz::boost(uFromBeta(options.beta), game.setup.lightSpeed_m_s).inverse(),
                {0.5 * (options.span.from_s + options.span.until_s), Vec3(0.0)}} {
+    made_.lightSpeed_m_s = game.setup.lightSpeed_m_s;
     for (const Puck& puck : game.setup.pucks) top_m_ = std::max(top_m_, puck.height_m);
   }
 
   GameSculpture make() {
     for (std::size_t puck = 0; puck < game_.setup.pucks.size(); ++puck) addTube(puck);
-    if (made_.parts.empty()) throw std::invalid_argument("no puck is there between these moments");
+    if (made_.parts.empty())
+      throw std::invalid_argument(
+          "nothing to show between these moments: soft pucks have no tubes, and no other is there");
     findBoard();
     thicken();
     for (const GameEvent& event : game_.events) {
@@ -100,7 +103,7 @@ class Maker {
     for (const double t_s : {options_.span.from_s, options_.span.until_s})
       for (int k = 0; k < 4; ++k) bounds.add(frame_.at(cornerAt(k, t_s)));
     const Vec3 size_m = bounds.high - bounds.low;
-    made_.scale = options_.size_m / std::max({size_m.x, size_m.y, size_m.z});
+    made_.scale = (options_.size_m - kBase_m - 2.0 * kFrame_m) / std::max({size_m.x, size_m.y, size_m.z});
   }
 
   /// On an open plane: around the pucks at all their turns and at both moments.
@@ -152,7 +155,7 @@ class Maker {
     return std::max(inModel_m, 0.5 * options_.leastWall_m) / made_.scale;
   }
 
-  void add(SculpturePartKind kind, std::string name, Solid solid) {
+  void add(SculpturePartKind kind, std::string name, SolidMesh solid) {
     made_.parts.push_back({kind, std::move(name), 0, std::move(solid)});
   }
 
@@ -206,7 +209,7 @@ class Maker {
                                       frame_.at(cornerAt(3, first_s))};
     const Vec3 along = corners[1] - corners[0], across = corners[2] - corners[0];
     const Vec3 up = glm::normalize(glm::cross(along, across)) * (kBase_m / made_.scale);
-    Solid plate = box({0.0, 0.0, -1.0}, {1.0, 1.0, 0.1});  // a tenth of it reaches into what stands on it
+    SolidMesh plate = box({0.0, 0.0, -1.0}, {1.0, 1.0, 0.1});  // a tenth of it reaches into what stands on it
     for (Vec3& point : plate.points) point = corners[0] + along * point.x + across * point.y + up * point.z;
     add(SculpturePartKind::base, "board", std::move(plate));
     for (int k = 0; k < 4; ++k) {
@@ -214,7 +217,7 @@ class Maker {
       addRod(SculpturePartKind::frame, "edge", {cornerAt(k, last_s), cornerAt((k + 1) % 4, last_s)},
              kFrame_m);
       if (!options_.sheets || !game_.setup.board) continue;
-      Solid sheet;
+      SolidMesh sheet;
       for (const auto& [corner, t_s] :
            {std::pair{k, first_s}, {(k + 1) % 4, first_s}, {(k + 1) % 4, last_s}, {k, last_s}})
         sheet.points.push_back(frame_.at(cornerAt(corner, t_s)));

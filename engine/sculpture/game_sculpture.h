@@ -26,13 +26,14 @@ struct SculpturePart {
   SculpturePartKind kind = SculpturePartKind::tube;
   std::string name;      ///< of the puck, or "event 3 puck-puck"
   std::size_t puck = 0;  ///< of a tube: index into the setup's pucks
-  Solid solid;           ///< metres of the board, and of light for the time
+  SolidMesh solid;       ///< metres of the board, and of light for the time
 };
 
 struct GameSculpture {
   std::vector<SculpturePart> parts;
-  double scale = 1.0;           ///< metres of the model for a metre of the board
-  double leastWall_m = 0.0;     ///< of the model: the thinnest tube or rod
+  double scale = 1.0;        ///< metres of the model for a metre of the board
+  double leastWall_m = 0.0;  ///< of the model: the thinnest tube or rod
+  double lightSpeed_m_s = 1.0;
   std::size_t thickened = 0;    ///< tubes that are wider than the pucks', to have the least wall
   std::size_t withoutTube = 0;  ///< pucks that are soft or were not there between the two moments
 };
@@ -47,7 +48,7 @@ struct SculptureSource {
 struct SculptureOptions {
   Span span;
   Vec3 beta{0.0};            ///< velocity on the board of the frame in which it is shown, v/c; below 1
-  double size_m = 0.15;      ///< of its longest side
+  double size_m = 0.15;      ///< of its longest side, with its base; at least a centimetre
   double leastWall_m = 0.0;  ///< what is thinner is thickened; 0: nothing
   bool sheets = true;        ///< with the cushions
 };

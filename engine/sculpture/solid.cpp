@@ -18,8 +18,8 @@ Vec3 across(const Vec3& direction) {
 }
 
 /// Divides each triangle into four, with the new points on the unit sphere.
-Solid divided(const Solid& coarse) {
-  Solid fine{coarse.points, {}};
+SolidMesh divided(const SolidMesh& coarse) {
+  SolidMesh fine{coarse.points, {}};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
     const auto [found, isNew] =
@@ -36,15 +36,15 @@ Solid divided(const Solid& coarse) {
 
 }  // namespace
 
-double volume_m3(const Solid& solid) {
+double volume_m3(const SolidMesh& solid) {
   double sum = 0.0;
   for (const auto& [a, b, c] : solid.triangles)
     sum += glm::dot(solid.points[a], glm::cross(solid.points[b], solid.points[c]));
   return sum / 6.0;
 }
 
-Solid ball(const Vec3& middle_m, double radius_m) {
-  Solid solid{{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
+SolidMesh ball(const Vec3& middle_m, double radius_m) {
+  SolidMesh solid{{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
   for (std::uint32_t side = 0; side < 4; ++side) {
     const std::uint32_t next = (side + 1) % 4;
     solid.triangles.push_back({side, next, 4});
@@ -55,8 +55,8 @@ Solid ball(const Vec3& middle_m, double radius_m) {
   return solid;
 }
 
-Solid box(const Vec3& low_m, const Vec3& high_m) {
-  Solid solid;
+SolidMesh box(const Vec3& low_m, const Vec3& high_m) {
+  SolidMesh solid;
   for (int corner = 0; corner < 8; ++corner)
     solid.points.emplace_back((corner & 1 ? high_m : low_m).x, (corner & 2 ? high_m : low_m).y,
                               (corner & 4 ? high_m : low_m).z);
@@ -66,8 +66,8 @@ Solid box(const Vec3& low_m, const Vec3& high_m) {
 }
 
 // The ring at a point is the last one, moved along the path onto the plane in which the two directions meet.
-Solid rod(std::span<const Vec3> path_m, double radius_m) {
-  Solid solid;
+SolidMesh rod(std::span<const Vec3> path_m, double radius_m) {
+  SolidMesh solid;
   Vec3 along = glm::normalize(path_m[1] - path_m[0]);
   const Vec3 first = across(along), second = glm::cross(along, first);
   for (std::uint32_t k = 0; k < kRodSides; ++k) {

@@ -11,22 +11,22 @@
 
 namespace carom {
 
-struct Solid {
+struct SolidMesh {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
 /// Returns the volume inside by the divergence theorem, V = Σ a·(b × c)/6: negative where it is inside out.
-double volume_m3(const Solid& solid);
+double volume_m3(const SolidMesh& solid);
 
 /// Returns a ball: an octahedron whose triangles are divided `kBallDivisions` times.
-Solid ball(const Vec3& middle_m, double radius_m);
+SolidMesh ball(const Vec3& middle_m, double radius_m);
 
 /// Returns a box between two corners, each coordinate of `low_m` below that of `high_m`.
-Solid box(const Vec3& low_m, const Vec3& high_m);
+SolidMesh box(const Vec3& low_m, const Vec3& high_m);
 
 /// Returns a rod of eight sides along a path of two points at least, each at another place than the last.
 /// Where the path bends, the sides meet in the plane that halves the angle.
-Solid rod(std::span<const Vec3> path_m, double radius_m);
+SolidMesh rod(std::span<const Vec3> path_m, double radius_m);
 
 }  // namespace carom

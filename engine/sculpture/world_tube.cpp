@@ -71,8 +71,8 @@ std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Sp
   return events;
 }
 
-Solid solidOf(const WorldTube& tube, const SpacetimeFrame& frame) {
-  Solid solid;
+SolidMesh solidOf(const WorldTube& tube, const SpacetimeFrame& frame) {
+  SolidMesh solid;
   std::vector<std::vector<Event>> events;
   std::vector<std::uint32_t> firsts;
   for (const auto& generator : tube.generators) {

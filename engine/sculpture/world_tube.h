@@ -33,6 +33,6 @@ std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Sp
 
 /// Returns the tube as a closed surface in a frame: the events of neighbouring generators, joined by
 /// triangles in the order of their board times, with a lid at each end.
-Solid solidOf(const WorldTube& tube, const SpacetimeFrame& frame);
+SolidMesh solidOf(const WorldTube& tube, const SpacetimeFrame& frame);
 
 }  // namespace carom

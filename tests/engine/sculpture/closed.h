@@ -10,7 +10,7 @@ namespace carom::test {
 
 /// Returns how many edges are not there once in each direction: 0 for a closed surface, all of whose
 /// triangles have the same side out.
-inline int openEdges(const Solid& solid) {
+inline int openEdges(const SolidMesh& solid) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& triangle : solid.triangles) {
     for (int k = 0; k < 3; ++k) ++edges[{triangle[k], triangle[(k + 1) % 3]}];

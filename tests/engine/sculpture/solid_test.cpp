@@ -13,7 +13,7 @@ namespace carom {
 namespace {
 
 TEST(Solid, ABoxHasItsVolume) {
-  const Solid solid = box({1.0, -2.0, 0.5}, {3.0, 1.0, 0.75});
+  const SolidMesh solid = box({1.0, -2.0, 0.5}, {3.0, 1.0, 0.75});
   EXPECT_EQ(test::openEdges(solid), 0);
   EXPECT_NEAR(volume_m3(solid), 2.0 * 3.0 * 0.25, 1e-12);
 }
@@ -21,7 +21,7 @@ TEST(Solid, ABoxHasItsVolume) {
 // A ball of 128 triangles lies inside the sphere, and has over nine tenths of its volume.
 TEST(Solid, ABallIsNearlyASphere) {
   const Vec3 middle_m(1.0, 2.0, 3.0);
-  const Solid solid = ball(middle_m, 0.5);
+  const SolidMesh solid = ball(middle_m, 0.5);
   EXPECT_EQ(test::openEdges(solid), 0);
   for (const Vec3& point : solid.points) EXPECT_NEAR(glm::distance(point, middle_m), 0.5, 1e-12);
   const double sphere = 4.0 / 3.0 * std::numbers::pi * 0.125;
@@ -47,7 +47,7 @@ TEST(Solid, ARodHasTheVolumeOfItsPath) {
       length_m += step_m;
     }
     const double radius_m = random.in(0.001, 0.02);
-    const Solid solid = rod(path_m, radius_m);
+    const SolidMesh solid = rod(path_m, radius_m);
     EXPECT_EQ(test::openEdges(solid), 0);
     EXPECT_NEAR(volume_m3(solid), 2.0 * std::numbers::sqrt2 * radius_m * radius_m * length_m,
                 1e-9 * length_m * radius_m);

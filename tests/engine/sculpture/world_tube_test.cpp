@@ -48,7 +48,7 @@ TEST(WorldTube, AStraightOneIsContracted) {
     const WorldLine line(knot, kC_m_s, radius_m);
     const Span span{random.in(-3.0, 0.0), random.in(0.5, 3.0)};
     const WorldTube tube = worldTube(discOf(radius_m), line, span);
-    const Solid solid = solidOf(tube, boardOf(kC_m_s));
+    const SolidMesh solid = solidOf(tube, boardOf(kC_m_s));
     ASSERT_EQ(test::openEdges(solid), 0);
     const auto n = static_cast<double>(tube.generators.size());
     const double area_m2 = 0.5 * n * radius_m * radius_m * std::sin(2.0 * std::numbers::pi / n);
@@ -111,7 +111,7 @@ TEST(WorldTube, TubesOfGamesAreClosedInEveryFrame) {
     const SpacetimeFrame moving{Lorentz::boost(uFromBeta(beta), c_m_s).inverse(), {1.0, Vec3(0.1, 0.2, 0.0)}};
     for (std::size_t puck = 0; puck < setup.pucks.size(); ++puck, ++tubes) {
       const WorldTube tube = worldTube(setup.pucks[puck], billiard.worldLines()[puck], span);
-      const Solid solid = solidOf(tube, boardOf(c_m_s)), boosted = solidOf(tube, moving);
+      const SolidMesh solid = solidOf(tube, boardOf(c_m_s)), boosted = solidOf(tube, moving);
       ASSERT_EQ(test::openEdges(solid), 0);
       ASSERT_EQ(solid.triangles, boosted.triangles);
       ASSERT_GT(volume_m3(solid), 0.0);
