@@ -188,6 +188,17 @@ struct LivePlay {
     journal.keep(openJournal(options, game, inputs, setup));
   }
 
+  LivePlay(const LivePlay&) = delete;
+  LivePlay& operator=(const LivePlay&) = delete;
+  /// Whatever ends the session, a hand is left without force, and the session file says so.
+  ~LivePlay() {
+    try {
+      journal.add(source.endForces());
+    } catch (const std::exception& error) {
+      log::error(error.what());
+    }
+  }
+
   static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
 
   std::unique_ptr<Clock> clock;
