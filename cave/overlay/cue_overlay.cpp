@@ -206,8 +206,7 @@ void CueOverlay::addTurning(const HandView& hand, const FacingPlane& plane, cons
 /// them; with a force device also the force in the hand, and how many newtons at the cue one in the hand is.
 void CueOverlay::addScale(const HandView& hand, const ForceView& force, const FacingPlane& target) {
   const double cost = costOf(hand.u), unit_m = target.distance_m;
-  // The force's lines are above the lower end that the scale has without them: a low puck is near a wall's
-  // rim.
+  // The force's lines do not reach below the scale's usual end: a low puck is near a wall's rim.
   const double foot = kScaleFoot + (force.shown ? kForceReadout : 0.0);
   const auto up = [foot](double of) { return foot + heightOf(of); };
   // The scale stands on the side away from the stroke.
