@@ -190,8 +190,10 @@ struct LivePlay {
 
   LivePlay(const LivePlay&) = delete;
   LivePlay& operator=(const LivePlay&) = delete;
+  ~LivePlay() { endForces(); }
+
   /// Whatever ends the session, a hand is left without force, and the session file says so.
-  ~LivePlay() {
+  void endForces() noexcept {
     try {
       journal.add(source.endForces());
     } catch (const std::exception& error) {
@@ -306,6 +308,7 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
   SessionFrames frames(cluster, setup, *play->pacer, &lead, keys);
   frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());
+  if (isAskedToEnd) play->endForces();
   if (setup.realTime) frames.statistics().sayHowItWent();
   return isAskedToEnd;
 }
