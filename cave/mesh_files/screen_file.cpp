@@ -64,9 +64,9 @@ ScreenMesh parseObjScreen(std::string_view content) {
     if (windowArea(cell) == 0.0) mesh.pop_back();
   }
   if (mesh.size() < 2)
-    meshFault(
-        1, 1,
-        fmt::format("there are {} triangles that the window shows, expected two at least", mesh.size()));
+    meshFault(1, 1,
+              fmt::format("the window shows {} triangle{}, expected two at least", mesh.size(),
+                          mesh.size() == 1 ? "" : "s"));
   return mesh;
 }
 

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include <vtk_glew.h>
+#include <glm/mat2x2.hpp>
+#include <glm/mat2x3.hpp>
 
 #include "cave/gl/gl_program.h"
 #include "cave/gl/gl_state_guard.h"
@@ -19,14 +21,21 @@ ScreenPicture::ScreenPicture(const CurvedScreen& screen)
 }
 
 ScreenPicture::DrawnPiece::DrawnPiece(const GlProgram& program, const ScreenMesh& mesh)
-    : corners(program,
-              {{"inWindow", 2, offsetof(Corner, inWindow)}, {"inRoom_m", 3, offsetof(Corner, inRoom_m)}}),
+    : corners(program, {{"inWindow", 2, offsetof(Corner, inWindow)},
+                        {"inRoom_m", 3, offsetof(Corner, inRoom_m)},
+                        {"across_m", 3, offsetof(Corner, across_m)},
+                        {"upwards_m", 3, offsetof(Corner, upwards_m)}}),
       count(static_cast<int>(3 * mesh.size())) {
   std::vector<Corner> drawn;
   drawn.reserve(3 * mesh.size());
   for (const ScreenTriangle& triangle : mesh) {
+    const glm::dmat2 window(triangle[1].inWindow - triangle[0].inWindow,
+                            triangle[2].inWindow - triangle[0].inWindow);
+    const glm::dmat2x3 room_m(triangle[1].inRoom_m - triangle[0].inRoom_m,
+                              triangle[2].inRoom_m - triangle[0].inRoom_m);
+    const glm::mat2x3 change_m(room_m * glm::inverse(window));
     for (const ScreenPoint& point : triangle)
-      drawn.push_back({glm::vec2(point.inWindow), glm::vec3(point.inRoom_m)});
+      drawn.push_back({glm::vec2(point.inWindow), glm::vec3(point.inRoom_m), change_m[0], change_m[1]});
   }
   corners.upload(drawn);
 }
@@ -37,6 +46,8 @@ void ScreenPicture::draw(const glm::dvec3& eyeInRoom_m, std::span<const std::uni
   const GlStateGuard state(picture.framebuffer(), picture.size_px());
   glUseProgram(program_);
   setUniform(program_, "piece", 0);
+  const glm::vec2 window_px(picture.size_px());
+  glUniform2f(glGetUniformLocation(program_, "window_px"), window_px.x, window_px.y);
   glActiveTexture(GL_TEXTURE0);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const std::optional<glm::dmat4> clip = clipFromRoom(screen_.pieces[i].wall, eyeInRoom_m);

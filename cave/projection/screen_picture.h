@@ -33,6 +33,7 @@ class ScreenPicture {
   struct Corner {
     glm::vec2 inWindow;
     glm::vec3 inRoom_m;
+    glm::vec3 across_m, upwards_m;  ///< change of the place in the room over the window, in its triangle
   };
   /// The triangles of one piece on the graphics card.
   struct DrawnPiece {

@@ -49,6 +49,8 @@ Rig read(const std::string& text) {
   folder.file("arc.obj", test::objText(40, 8, onArc_m));
   folder.file("coarse.obj", test::objText(4, 4, onArc_m));
   folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  folder.file("novt.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.file("nan.obj", "v 0 nan 0\n");
   folder.file("folded.obj", test::objText(40, 8, [](glm::dvec2 at) {
                 at.x = at.x < 0.5 ? at.x : 1.0 - at.x;
                 return onArc_m(at);
@@ -215,6 +217,18 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"no radius", changed("radius = 300", "radius = 0"), 11, 79, "a number above 0"},
         Fault{"upside down", changed("bottom = 10", "bottom = 270"), 11, 133, "not above the bottom"},
         Fault{"no axis", changed("[0, 0, 2]", "[0, 0, 0]"), 11, 59, "has no length"},
+        Fault{"a dome of nothing",
+              changed("screen",
+                      "screen = { shape = 'dome', centre = [0, 0, 120], radius = 500, fov_deg = 0 }\n#"),
+              11, 74, "a number above 0 up to 359"},
+        Fault{"a dome of a whole turn",
+              changed("screen",
+                      "screen = { shape = 'dome', centre = [0, 0, 120], radius = 500, fov_deg = 360 }\n#"),
+              11, 74, "a number above 0 up to 359"},
+        Fault{"a mesh without vt", kWall + "screen = { shape = 'mesh', file = 'novt.obj' }\n", 11, 35,
+              "novt.obj:4:3: '1' is wrong, expected both v and vt"},
+        Fault{"a mesh with NaN", kWall + "screen = { shape = 'mesh', file = 'nan.obj' }\n", 11, 35,
+              "nan.obj:1:5: 'nan' is wrong"},
         Fault{"no texels", changed("screen", "texels_per_pixel = 0\nscreen"), 11, 20, "from 1 to 4"},
         Fault{"corners, too", changed("screen", "lower_left = [0, 0, 0]\nscreen"), 11, 14, "beside screen"},
         Fault{"a flat wall's sagitta",
@@ -253,6 +267,11 @@ INSTANTIATE_TEST_SUITE_P(
               kWall + "facet_sagitta = 0.0001\nscreen = { shape = 'grid', file = 'arc.pfm', unit = 'mm' }\n",
               11, 17, "flat pieces"},
         Fault{"a panel behind the head",
+              kArc + "[panel]\nlower_left = [-100, -250, 50]\nlower_right = [100, -250, 50]\nupper_left = "
+                     "[-100, -250, "
+                     "150]\n",
+              12, 1, "the panel is behind the head"},
+        Fault{"a panel that faces away",
               kArc + "[panel]\nlower_left = [100, -250, 50]\nlower_right = [-100, -250, 50]\nupper_left = "
                      "[100, -250, "
                      "150]\n",

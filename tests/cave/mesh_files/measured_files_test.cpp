@@ -148,8 +148,7 @@ TEST(ScreenFiles, APfmCountsFromItsRowsEdge) {
 
 TEST(ScreenFiles, WrongOnesAreRefusedWithTheirPlace) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
-  expectSaid(complaint([&] { parseObjScreen(triangle); }),
-             "1:1: there are 1 triangles that the window shows");
+  expectSaid(complaint([&] { parseObjScreen(triangle); }), "1:1: the window shows 1 triangle, expected two");
   expectSaid(complaint([] { parseObjScreen("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }),
              "4:3: '1' is wrong, expected both v and vt");
   expectSaid(complaint([] { parseObjScreen("v 0 nan 0\n"); }), "1:5: 'nan' is wrong");
