@@ -405,7 +405,8 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
   Before before = settleSession(options, inputs);
   takePlaylist(options, inputs);
-  if (options.lesson && !options.scenario.empty() && !readScenario(options.scenario).lesson) {
+  if (options.lesson && options.study.empty() && !options.scenario.empty() &&
+      !readScenario(options.scenario).lesson) {
     throw std::runtime_error(fmt::format(
         "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
   }
