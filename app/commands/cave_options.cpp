@@ -95,6 +95,13 @@ void addBeginning(CLI::App& command, const std::shared_ptr<CaveOptions>& options
                             {"explains", static_cast<int>(LessonPhase::explains)}}));
   command.add_flag("--hide-right", options->hideRight,
                    "Lessons do not tell which answer is right: for a class that discusses it before");
+  command
+      .add_option(
+          "--text-size", options->textSize,
+          "Size of the walls' words, for a large room: 1 as ever, up to 2 twice as high where there is "
+          "room for it")
+      ->type_name("FACTOR")
+      ->check(numberIn({.least = 1.0, .most = 2.0}, "a factor from 1 to 2"));
 }
 
 void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {

@@ -48,6 +48,7 @@ struct CaveOptions {
   bool isAmended = false;              ///< the study was changed after its first participant
   std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one
   bool hideRight = false;              ///< lessons do not tell the right answer
+  double textSize = 1.0;               ///< of the walls' words, a factor
   Switches switches;                   ///< at the start
   TimeViews views;                     ///< at the start
   ExtraWindows extra;                  ///< what rank 0 also shows

@@ -87,6 +87,7 @@ std::unique_ptr<Journal> openJournal(const CaveOptions& options, WrittenGame gam
   for (const Puck& puck : setup.scenario.billiard.pucks) facts.pucks.push_back(puck.name);
   facts.viewers = namesOf(setup.rig.viewers);
   for (const TrackerSetup& tracker : setup.rig.trackers) facts.trackers.push_back(tracker.name);
+  facts.textSize = inputs.textSize;
   if (setup.headset) facts.eyePixels = {setup.headset->pixels().x, setup.headset->pixels().y};
   facts.hasClass = options.hasClass;
   facts.isAnotherGame = game == WrittenGame::another;
@@ -212,6 +213,17 @@ struct LivePlay {
     OperatorSettings settings = leader.settings();
     study->applyTo(settings);
     leader.begin(settings);
+  }
+
+  LivePlay(const LivePlay&) = delete;
+  LivePlay& operator=(const LivePlay&) = delete;
+  /// Whatever ends the session, a hand is left without force, and the session file says so.
+  ~LivePlay() {
+    try {
+      journal.add(source.endForces());
+    } catch (const std::exception& error) {
+      log::error(error.what());
+    }
   }
 
   static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
@@ -385,6 +397,7 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
       Before before = whatWas(*options.session);
       inputs.rig = {before.facts.rig, before.facts.rigText};
       inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
+      inputs.textSize = before.facts.textSize;
       return before;
     } catch (const std::exception& error) {
       if (!options.resumeOrNew) throw;
@@ -418,6 +431,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
                       options.noWindow,  options.frames.has_value(), options.extra};
   inputs.byMouse = options.byMouse;
   inputs.hideRight = options.hideRight;
+  inputs.textSize = options.textSize;
   inputs.withoutNodes = options.withoutNodes;
   Before before;
   std::unique_ptr<StatusFile> status;

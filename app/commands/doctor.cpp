@@ -228,6 +228,7 @@ void lookAtRoom(const Cluster& cluster, const Rig* rig, const DoctorOptions& opt
   if (rig && cluster.rank() == 0) {
     tried(report, [&] { judgeFiles(*rig, report); });
     if (!options.byMouse) tried(report, [&] { poses_hz = judgeTrackers(*rig, report); });
+    if (!options.byMouse) tried(report, [&] { judgeForces(*rig, report); });
   }
   if (cluster.rank() == 0) judgeDisk(options.folder, rig, poses_hz, report);
   if (rig) judgeLinks(cluster, *rig, report);

@@ -11,12 +11,14 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/commands/export_spacetime.h"
 #include "app/commands/session_options.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
 #include "app/play/game.h"
+#include "app/report/sculpture_file.h"
 #include "app/session/recorded_source.h"
 #include "app/session/replay_visitor_source.h"
 #include "app/session/soft_replay_source.h"
@@ -254,11 +256,63 @@ int runExport(const ExportOptions& options) {
   return 0;
 }
 
+namespace {
+
+/// What the command line says of a model of spacetime.
+struct ModelLine {
+  ExportSpacetimeOptions options;
+  std::vector<double> velocity{0.0, 0.0, 0.0};
+};
+
+std::shared_ptr<ModelLine> addModelOptions(CLI::App& command) {
+  auto line = std::make_shared<ModelLine>();
+  ExportSpacetimeOptions* model = &line->options;
+  CLI::Option* out =
+      command
+          .add_option("--spacetime", model->out,
+                      "Write the game as a body in spacetime, time upwards and light at 45 degrees: .glb for "
+                      "Blender or the web, .stl or .3mf for a printer")
+          ->type_name("FILE")
+          ->check([](const std::string& name) {
+            return isSculptureFile(name) ? std::string() : "is no kind of model, expected .glb, .stl or .3mf";
+          });
+  const auto add = [&](const char* name, auto& value, const char* about, const char* type) {
+    return command.add_option(name, value, about)->type_name(type)->needs(out);
+  };
+  add("--from", model->from_s, "Board time at which it begins; by default 10 s before its end", "S")
+      ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  add("--until", model->until_s,
+      "Board time at which it ends; by default the end of the session, or 10 s of a scenario", "S")
+      ->check(numberIn(kNotNegative, "a time from 0 to 1e9 s"));
+  add("--velocity", line->velocity, "Velocity v/c on the board of the frame in which it is shown", "BX BY BZ")
+      ->expected(3)
+      ->check(numberIn({}, "a number from -1e9 to 1e9"));
+  add("--size", model->size_m, "Its longest side, metres; by default 0.15", "M")
+      ->check(numberIn({.least = 0.01, .most = 10.0}, "a length from 0.01 to 10 m"));
+  return line;
+}
+
+/// Returns the options of the model. Throws CLI::ValidationError at a velocity that is not below that of
+/// light.
+ExportSpacetimeOptions modelOf(const ModelLine& line, const ExportOptions& options) {
+  ExportSpacetimeOptions model = line.options;
+  model.source = options.session;
+  model.game = options.game;
+  model.beta = toVec3(line.velocity);
+  if (!(glm::dot(model.beta, model.beta) < 1.0))
+    throw CLI::ValidationError("--velocity", "is not below the speed of light, expected a magnitude under 1");
+  return model;
+}
+
+}  // namespace
+
 void addExport(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "export", "Write what was seen in a recorded session as numbers, or as meshes for ParaView");
+      "export", "Write what was seen in a session as numbers or meshes, or its spacetime as a model");
   auto options = std::make_shared<ExportOptions>();
-  command->add_option("SESSION", options->session, "Session file")->required();
+  command->add_option("SOURCE", options->session, "Session file; with --spacetime also a scenario")
+      ->required()
+      ->transform(shipped({"scenarios"}));
   addGame(*command, options->game);
   command
       ->add_option("--observer", options->observer,
@@ -283,18 +337,23 @@ void addExport(CLI::App& app, int& status) {
       ->add_option("--paraview", options->paraview,
                    "New folder for the whole seen scene of each frame: ParaView opens DIR/seen.pvd")
       ->type_name("DIR");
+  const auto model = addModelOptions(*command);
   command->footer(
-      "Both as carom observe has them, for the point between the eyes; board frame, seconds and metres. A "
+      "What was seen is as carom observe has it, for the point between the eyes; board frame, seconds and "
+      "metres. A "
       "frame's "
       "meshes take some megabytes: --every 30 is two a second.\n"
       "Examples:\n  carom export game.db --csv seen.csv\n"
-      "  carom export game.db --observer walk --every 30 --paraview seen");
-  command->callback([options, &status] {
-    if (!options->csv && !options->paraview) {
+      "  carom export game.db --observer walk --every 30 --paraview seen\n"
+      "  carom export two-cushions --spacetime two.stl --until 4");
+  command->callback([options, model, &status] {
+    const bool seen = options->csv || options->paraview;
+    if (!seen && model->options.out.empty()) {
       throw CLI::ValidationError("export",
-                                 "nothing is to be written, expected --csv FILE, --paraview DIR or both");
+                                 "nothing is to be written, expected --csv, --paraview or --spacetime");
     }
-    status = runExport(*options);
+    if (seen) status = runExport(*options);
+    if (!model->options.out.empty()) status = runExportSpacetime(modelOf(*model, *options));
   });
 }
 

@@ -41,6 +41,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
   inputs.rig = {session->facts().rig, session->facts().rigText};
   const std::array<int, 2>& eye_px = session->facts().eyePixels;
   if (!inputs.live && eye_px[0] > 0 && eye_px[1] > 0) inputs.eye_px = {eye_px[0], eye_px[1]};
+  inputs.textSize = session->facts().textSize;
   if (options.rig) inputs.rig = {*options.rig, {}};
   inputs.scenario = {session->facts().scenario, session->facts().scenarioText};
   return session;

@@ -21,6 +21,7 @@
 #include "app/stage/scenario_scene.h"
 #include "cave/cluster/links.h"
 #include "devices/monitor/sensor_statistics.h"
+#include "devices/setup/force_factory.h"
 #include "devices/setup/tracker_factory.h"
 
 namespace carom {
@@ -158,6 +159,17 @@ double judgeTrackers(const Rig& rig, NodeHealth& report) {
     }
   }
   return poses_hz;
+}
+
+void judgeForces(const Rig& rig, NodeHealth& report) {
+  for (const ViewerSetup& viewer : rig.viewers) {
+    if (!viewer.force) continue;
+    const ForceTrial trial = tryForce(*viewer.force, rig.axes);
+    report.add("force", fmt::format("{}: {}", nameOf(*viewer.force), trial.words));
+    if (!trial.works)
+      report.warnings.push_back(
+          fmt::format("{}: {}: there is no force in the hand", nameOf(*viewer.force), trial.words));
+  }
 }
 
 void judgeLinks(const Cluster& cluster, const Rig& rig, NodeHealth& report) {

@@ -13,6 +13,9 @@ namespace carom {
 /// Returns how many poses they all send in a second.
 double judgeTrackers(const Rig& rig, NodeHealth& report);
 
+/// Opens the rig's force devices for a moment: are they there, what can they do, do they say where they are?
+void judgeForces(const Rig& rig, NodeHealth& report);
+
 /// Judges the messages between the nodes. Every rank must call it; the report is rank 0's.
 void judgeLinks(const Cluster& cluster, const Rig& rig, NodeHealth& report);
 

@@ -213,13 +213,14 @@ void Console::drawTabs(const ConsoleFrame& frame) {
     ImGui::EndChild();
     ImGui::EndTabItem();
   };
+  // The first, so that its name fits where not all do.
+  if (frame.classroom) tab(texts::console::kClassTab, [&] { drawClass(frame); });
   tab(texts::console::kGamesTab, [&] { games_.draw(frame); });
   tab(texts::console::kTrackersTab, [&] { drawTrackers(frame); });
   tab(texts::console::kLatencyTab, [&] { drawLatencyNumbers(frame.latency); });
   tab(texts::console::kEventsTab, [&] { events_.draw(frame.record); });
   tab(texts::console::kDiagramTab, [&] { drawDiagram(frame); });
   tab(texts::console::kRecordingTab, [&] { recording_.draw(frame); });
-  if (frame.classroom) tab(texts::console::kClassTab, [&] { drawClass(frame); });
   ImGui::EndTabBar();
 }
 

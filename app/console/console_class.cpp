@@ -26,6 +26,7 @@ void drawCounts(const ClassView& view) {
   const auto isShown = [&](std::size_t vote) {
     return std::accumulate(view.counts[vote].begin(), view.counts[vote].end(), std::uint64_t{0}) > 0;
   };
+  if (!isShown(0) && !isShown(1)) return;
   for (std::size_t answer = 0; answer < view.choices; ++answer) {
     words(texts::lesson::kAnswerNumbers.at(answer));
     for (std::size_t vote = 0; vote < kVotes; ++vote) {
@@ -50,9 +51,14 @@ void drawClass(const ConsoleFrame& frame) {
   flow.resume(view.phase, view.round);
   heading(nameOf(view.phase, view.round).c_str());
   words(fmt::format(texts::console::kClassCount, view.phones, view.answered));
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float right_px = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const auto widthOf = [&](std::size_t step) {
+    return ImGui::CalcTextSize(texts::phone::kSteps.at(step)).x + 2.0F * style.FramePadding.x;
+  };
   for (std::size_t i = 0; i < kClassSteps.size(); ++i) {
     const auto step = static_cast<ClassStep>(i);
-    if (i > 0) ImGui::SameLine();
+    if (i > 0 && ImGui::GetItemRectMax().x + style.ItemSpacing.x + widthOf(i) <= right_px) ImGui::SameLine();
     ImGui::BeginDisabled(!flow.may(step) || (view.choices == 0 && step != ClassStep::next));
     if (ImGui::Button(texts::phone::kSteps.at(i))) desk.ask(step);
     ImGui::EndDisabled();

@@ -112,6 +112,7 @@ void JournalTables::make(const SessionFacts& facts) {
   put(row, "scenario", facts.scenarioText);
   for (std::size_t viewer = 0; viewer < facts.viewers.size(); ++viewer)
     put(row, keyOfViewer(viewer), facts.viewers[viewer]);
+  if (facts.textSize != 1.0) put(row, kKeyOfTextSize, facts.textSize);
   for (const std::size_t axis : {0, 1}) {
     if (facts.eyePixels[axis] > 0) put(row, kKeysOfEyePixels[axis], facts.eyePixels[axis]);
   }

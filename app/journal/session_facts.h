@@ -19,6 +19,7 @@ inline std::string keyOfViewer(std::size_t viewer) {
   return viewer == 0 ? "viewer" : "viewer_" + std::to_string(viewer + 1);
 }
 
+inline constexpr const char* kKeyOfTextSize = "text_size";
 inline constexpr std::array<const char*, 2> kKeysOfEyePixels{"headset_width", "headset_height"};
 
 /// The initial data of a journal.
@@ -31,6 +32,7 @@ struct SessionFacts {
   std::vector<std::string> viewers = {"viewer"};  ///< names in the rig's order
   std::vector<std::string> trackers = {};         ///< the same of its trackers; not read back
   std::array<int, 2> eyePixels{};                 ///< of each eye's picture in a headset; 0: there was none
+  double textSize = 1.0;                          ///< of the walls' words, a factor
   bool hasClass = false;                          ///< a class takes part, whose votes are kept; not read back
   bool isAnotherGame = false;  ///< of a file that goes on: a game after those in it; not read back
 };

@@ -131,6 +131,8 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
     facts_ = {tables_->fact("program"), tables_->fact("rig_file"), chosen.scenario,
               tables_->fact("rig"),     chosen.scenarioText,       chosen.lightSpeed_m_s};
     showOnly(database, chosen);
+    const double textSize = std::strtod(tables_->fact(kKeyOfTextSize).c_str(), nullptr);
+    if (textSize > 1.0 && textSize <= 2.0) facts_.textSize = textSize;
     for (const std::size_t axis : {0, 1}) {
       constexpr long kMost = 8192;
       const std::string pixels = tables_->fact(kKeysOfEyePixels[axis]);

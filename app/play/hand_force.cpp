@@ -11,6 +11,7 @@
 #include "cave/frame/bodies.h"
 #include "cave/texts/texts.h"
 #include "devices/force/shown_mass.h"
+#include "devices/setup/force_factory.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -103,6 +104,14 @@ void HandForce::note(const HandView& view) {
     log::note(line);
     notes_.push_back({"force device", line});
   }
+}
+
+std::vector<ForceNote> HandForce::finish() {
+  end();
+  const ForceReport& report = channel_->report();
+  if (report.falls == std::exchange(falls_, report.falls)) return {};
+  log::note(fmt::format("{}: no force, for {}", nameOf(setup_), toString(report.fall)));
+  return {{"force off", toString(report.fall)}};
 }
 
 /// Says, once a puck that was held is let go, what mass the hand felt; no number where the device's stiffness

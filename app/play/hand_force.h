@@ -56,6 +56,8 @@ class HandForce {
   std::vector<ForceNote> takeNotes() { return std::exchange(notes_, {}); }
   /// 0 N at once, for the end of the process. May be called from any thread.
   void end() noexcept { channel_->end(); }
+  /// The same at the end of a session, whatever ends it. Says and returns why, if the device pushed.
+  std::vector<ForceNote> finish();
 
  private:
   void note(const HandView& view);

@@ -23,6 +23,10 @@ constexpr double kHalfSeparation_m = 0.045;
 constexpr std::array<std::string_view, 8> kQuiet{"focus",          "keyboard", "login",       "synchroPort",
                                                  "synchroAddress", "port",     "environment", "id"};
 
+constexpr const char* kAloneLeftOut =
+    "graphic_buffers other than left and right are left out of screens in stereo: they are for pictures "
+    "without";
+
 /// What an option such as "-f -s hwpageflip" or "-w 400 400 200 300" says.
 struct PlayerOptions {
   bool fullscreen = false;
@@ -139,6 +143,7 @@ class BlenderReading {
       const std::size_t person =
           addPerson(name, separationOf(user), eyes_m, position ? position->textAt : user.at,
                     fmt::format("user '{}'", printable(name)), room_);
+      placesAt_.push_back(position ? std::optional(position->textAt) : std::nullopt);
       for (const std::string& key : {name, user.textOf("ID"), fmt::format("{}", i)}) {
         if (!key.empty()) users_.emplace(key, person);
       }
@@ -171,6 +176,7 @@ class BlenderReading {
         screens_.push_back({screen, computer, computer->textOf("name")});
     }
     for (const Part* group : root_.all("computers")) {
+      refuseTwins(group->all("computer"), "name", room_);
       for (const Part* computer : group->all("computer"))
         computers.emplace(computer->textOf("name"), computer);
     }
@@ -204,8 +210,13 @@ class BlenderReading {
     const auto same = [&](const BlenderScreen& other) {
       return other.part != screen.part && other.part->textOf("name") == name;
     };
-    wall.wall.name =
-        std::any_of(screens_.begin(), screens_.end(), same) ? screen.computerName + "-" + name : name;
+    wall.wall.name = name;
+    if (std::any_of(screens_.begin(), screens_.end(), same)) {
+      wall.wall.name = screen.computerName + "-" + name;
+      room_.assumptions.push_back(
+          fmt::format("one of the screens '{}' is called '{}' by its computer, line {}", printable(name),
+                      printable(wall.wall.name), at.line));
+    }
     std::map<std::string, const Part*> corners;
     const Part *viewport = nullptr, *player = nullptr;
     for (const Part* section : sectionsOf(*screen.part)) {
@@ -281,6 +292,7 @@ class BlenderReading {
       }
     }
     if (left && right && options.stereo != "nostereo") {
+      if (alone) room_.assumptions.push_back(kAloneLeftOut);
       wall.wall.stereo = modeOf(options.stereo);
       wall.wall.viewer = left->viewer;
       const bool usual = left->viewer == right->viewer && left->eye == Eye::left && right->eye == Eye::right;
@@ -344,6 +356,9 @@ class BlenderReading {
   /// The origin is at the eyes or on the floor: a floor screen decides. Users whose place is on the floor
   /// stand there.
   void placePeople() {
+    for (std::size_t i = 0; i < placesAt_.size(); ++i) {
+      if (placesAt_[i]) leaveOutPlace(i, *placesAt_[i], room_);
+    }
     const auto floor_m = floorHeight_m(room_);
     if (!floor_m) return;
     constexpr double kOnFloor_m = 0.3;
@@ -361,6 +376,7 @@ class BlenderReading {
   Room& room_;
   Ranks ranks_;
   std::map<std::string, std::size_t> users_;
+  std::vector<std::optional<FilePlace>> placesAt_;  // of the users' default positions
   std::vector<BlenderScreen> screens_;
 };
 

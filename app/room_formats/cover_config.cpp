@@ -37,26 +37,23 @@ bool contains(const std::vector<std::string>& hosts, const std::string& host) {
 bool isCover(const Part& part) { return alike(part.name, "COVER") || alike(part.name, "VIVE"); }
 
 /// The elements of it that do; the rest is about plug-ins and drawing.
+constexpr std::array<std::string_view, 17> kOfRoom{
+    "ScreenConfig", "ChannelConfig", "ViewportConfig", "WindowConfig", "PipeConfig",           "NumScreens",
+    "Input",        "MultiPC",       "Stereo",         "FloorHeight",  "ViewerPosition",       "NumWindows",
+    "PBOConfig",    "StereoMode",    "MonoView",       "HMD",          "BlendingTextureConfig"};
+
 bool isOfRoom(const Part& part) {
-  constexpr std::array<std::string_view, 17> kOfRoom{"ScreenConfig",
-                                                     "ChannelConfig",
-                                                     "ViewportConfig",
-                                                     "WindowConfig",
-                                                     "PipeConfig",
-                                                     "NumScreens",
-                                                     "Input",
-                                                     "MultiPC",
-                                                     "Stereo",
-                                                     "FloorHeight",
-                                                     "ViewerPosition",
-                                                     "NumWindows",
-                                                     "PBOConfig",
-                                                     "BlendingTextureConfig",
-                                                     "StereoMode",
-                                                     "MonoView",
-                                                     "HMD"};
   return std::any_of(kOfRoom.begin(), kOfRoom.end(),
                      [&](std::string_view name) { return alike(part.name, name); });
+}
+
+/// Warns of a part of a section whose name is nearly one of a room's: the others are none of its business.
+void tellMistyped(const Part& part, Room& room) {
+  const std::vector<std::string> known(kOfRoom.begin(), kOfRoom.end());
+  const auto nearest = room.findings.isLong() ? std::nullopt : nearestWord(part.name, known);
+  if (nearest)
+    addWarning(room, part.at,
+               fmt::format("'{}' is left out, expected '{}'?", printable(part.name), *nearest));
 }
 
 /// What makes two parts the same: their name and, of elements, the attribute `name`.
@@ -88,7 +85,21 @@ CoverSections::CoverSections(const Part& root, Room& room) : room_(room) {
         if (!contains(hosts_, host) && hosts_.size() < kMostHosts) hosts_.push_back(host);
       }
     } else if (!alike(part.name, "GLOBAL")) {
+      if (!part.parts.empty())
+        addWarning(room_, part.at,
+                   fmt::format("'{}' is left out, expected GLOBAL, CLUSTER, LOCAL or INCLUDE",
+                               printable(part.name)));
       continue;
+    }
+    if (section.kind != CoverSection::Kind::global && section.hosts.empty())
+      addWarning(room_, part.at,
+                 fmt::format("this section names no computer and is left out, expected {}=\"NAME\"",
+                             section.kind == CoverSection::Kind::local ? "HOST" : "MASTER"));
+    for (const Part& cover : part.parts) {
+      if (!isCover(cover)) continue;
+      for (const Part& each : cover.parts) {
+        if (!isOfRoom(each)) tellMistyped(each, room_);
+      }
     }
     sections_.push_back(std::move(section));
   }

@@ -16,6 +16,7 @@
 #include "app/room_formats/included.h"
 #include "app/room_formats/room_parts.h"
 #include "app/room_import/foreign_room.h"
+#include "app/room_import/room_check.h"
 
 namespace carom {
 namespace {
@@ -132,9 +133,20 @@ class CoverReading {
     for (CoverHost& host : hosts_) readHost(host, slavesDraw);
     ranks_.finish();
     nameUnread(hosts_.front().config, kQuiet, room_);
+    tellFloor();
   }
 
  private:
+  /// A wall that is the floor counts, not FloorHeight: tells where they differ.
+  void tellFloor() {
+    constexpr double kNear_m = 1e-3;
+    const auto floor_m = floorHeight_m(room_);
+    if (!room_.floor_m || !floor_m || std::abs(*floor_m - *room_.floor_m) < kNear_m) return;
+    addWarning(room_, hosts_.front().config.find("FloorHeight")->at,
+               fmt::format("FloorHeight {:g} is left out: the wall that is the floor is at {:g} mm",
+                           *room_.floor_m / kMillimetre_m, *floor_m / kMillimetre_m));
+  }
+
   /// The master comes first, then the computers of MultiPC/SyncMode, which are all if it names any.
   void collectHosts() {
     if (!master_.empty()) add(master_, true);

@@ -49,11 +49,8 @@ class CoverInput {
                              printable(person->textOf("name")), printable(chosen->textOf("name"))));
     }
     if (!input) return;
-    if (chosen) {
-      readBodies(*input, *chosen);
-    } else if (const Part* system = input->find("TrackingSystem")) {
-      readOld(*input, *system);
-    }
+    readTrackers(*input, chosen);
+    if (const Part* position = cover_.find("ViewerPosition")) leaveOutPlace(0, position->at, room_);
     for (const char* group : {"Buttons", "Valuator"}) {
       const Part* found = input->find(group);
       if (!found || found->parts.empty()) continue;
@@ -65,12 +62,23 @@ class CoverInput {
   }
 
  private:
+  void readTrackers(const Part& input, const Part* chosen) {
+    if (chosen) {
+      readBodies(input, *chosen);
+    } else if (const Part* system = input.find("TrackingSystem")) {
+      readOld(input, *system);
+    }
+  }
+
   void addViewer(const Part* person) {
     double apart_m = kEyes_m;
     FilePlace at = cover_.at;
-    if (const Part* stereo = cover_.find("Stereo"); stereo && !flagOr(*stereo, "value", true, room_))
-      addWarning(room_, stereo->placeOf("value"),
-                 "Stereo is off in the file: walls keep the modes of their channels");
+    for (const char* key : {"value", "enable"}) {
+      const Part* stereo = cover_.find("Stereo");
+      if (stereo && !flagOr(*stereo, key, true, room_))
+        addWarning(room_, stereo->placeOf(key),
+                   "Stereo is off in the file: walls keep the modes of their channels");
+    }
     if (const Part* stereo = cover_.find("Stereo"); stereo && stereo->find("separation")) {
       const auto apart_mm = number(*stereo, "separation", kNotNegative, false, room_);
       apart_m = apart_mm ? *apart_mm * kMillimetre_m : apart_m;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/room_formats/room_parts.h"
+#include "app/room_import/foreign_room.h"
 
 namespace carom {
 namespace {
@@ -30,7 +31,11 @@ std::vector<const Part*> coverElements(const Part& config, std::string_view grou
 
 std::string CoverWindows::displayOf(const CoverChannel& channel) {
   const Part* window = windowOf(channel, viewportOf(channel));
-  const Part* pipe = numbered("PipeConfig", "Pipe", indexIn(window, "pipeIndex", 0));
+  const std::size_t index = indexIn(window, "pipeIndex", 0);
+  const Part* pipe = numbered("PipeConfig", "Pipe", index);
+  if (!pipe && index > 0)
+    addWarning(room_, window->placeOf("pipeIndex"),
+               fmt::format("there is no pipe {}: the window is on the computer's usual display", index));
   if (!pipe || flagOr(*pipe, "useDISPLAY", false, room_)) return "";
   const std::string server = pipe->textOf("server"), screen = pipe->textOf("screen");
   if (server.empty() && screen.empty()) return "";

@@ -210,6 +210,10 @@ class EqcReading {
       FilePlace own = at;
       auto corners = wallOf(*segment, own);
       const auto share = shareOf(*segment);
+      if (corners && segment->find("viewport"))
+        room_.assumptions.push_back(fmt::format(
+            "the segment has a wall of its own, so its viewport on the canvas is left out, line {}",
+            own.line));
       if (!corners && whole && share) corners = cut(*whole, *share);
       const Part* channel = segment->find("channel");
       if (!channel) {
@@ -319,12 +323,34 @@ class EqcReading {
   std::map<std::string, EqcChannel> channels_;
 };
 
+/// Returns the wanted one of several configurations of a server, each named or else numbered from 0; null if
+/// there is none.
+const Part* configOf(const Part& whole, const std::string& wanted, const std::filesystem::path& file) {
+  const std::vector<const Part*> configs = whole.all("config");
+  if (configs.size() < 2) {
+    refuseRoomName(wanted, file);
+    return configs.empty() ? nullptr : configs.front();
+  }
+  std::vector<std::string> names;
+  std::vector<FilePlace> places;
+  for (const Part* config : configs) {
+    const std::string name = config->textOf("name");
+    names.push_back(name.empty() ? fmt::format("{}", names.size()) : name);
+    places.push_back(config->at);
+  }
+  const Part* chosen = configs[chooseRoom(names, places, wanted, file)];
+  for (const Part* config : configs) {
+    if (config != chosen) config->markRead();
+  }
+  return chosen;
+}
+
 }  // namespace
 
-Room readEqc(const std::filesystem::path& file, const Part& root) {
+Room readEqc(const std::filesystem::path& file, const Part& root, const std::string& wanted) {
   Room room = roomOfFormat(file, "an Equalizer room", "m", 1.0);
   const Part* server = root.find("server");
-  const Part* config = (server ? *server : root).find("config");
+  const Part* config = configOf(server ? *server : root, wanted, file);
   if (!config) {
     addError(room, server ? server->at : FilePlace{},
              "there is no config here, expected server { config { … } }");

@@ -115,6 +115,9 @@ class EqcParser {
       case Token::Kind::text:
         part.text = std::string(token_.text);
         return next();
+      case Token::Kind::end:
+        refuse(begin, fmt::format("the file ends within {} of line {}, expected its value",
+                                  printable(part.name.substr(0, 40)), part.at.line));
       default:
         refuse(begin, fmt::format("{} has no value, expected a number, a text, a list or a section",
                                   printable(part.name.substr(0, 40))));

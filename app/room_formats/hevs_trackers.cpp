@@ -26,6 +26,10 @@ glm::dquat axesOf(const Part& tracker, Room& room) {
                            printable(tracker.name)));
     return none;
   }
+  if (handedness && !alike(handedness->text, "right"))
+    addWarning(room, handedness->textAt,
+               fmt::format("handedness is '{}', expected left or right: right is taken",
+                           printable(handedness->text)));
   return turnOfAxes(axis("right", "X"), axis("up", "Y"), axis("forward", handedness ? "Z" : "-Z"), tracker.at,
                     room)
       .value_or(none);
@@ -45,7 +49,10 @@ void readHevsTrackers(const Part& platform, const std::string& headName, Room& r
                              printable(tracker.textOf("type"))));
       continue;
     }
-    flagOr(tracker, "apply_rotation", true, room);
+    if (!flagOr(tracker, "apply_rotation", true, room))
+      addWarning(room, tracker.placeOf("apply_rotation"),
+                 fmt::format("tracker '{}' places without turning in the file: here it turns, too",
+                             printable(name)));
     const Pose roomFromTracker = hevsPlaceOf(tracker, platform, room) * Pose{{}, axesOf(tracker, room)};
     const auto index =
         addVrpn(name, tracker.textOf("address"), roomFromTracker, tracker.placeOf("address"), room);

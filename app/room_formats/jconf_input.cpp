@@ -197,7 +197,7 @@ class JconfInput {
     return addTrackd(device.textOf("name"), memory, roomFromTracker, device.at, room_);
   }
 
-  /// Names the proxies that nobody uses; their aliases are names alone.
+  /// Names the unused proxies; their aliases are names alone.
   void nameOthers() {
     for (const Part* alias : elements_.all("alias")) alias->markRead();
     for (const Part* proxy : elements_.all("position_proxy")) {

@@ -58,6 +58,8 @@ class CfgReading {
     for (const char* kind : {"scene_node", "screen", "camera"}) {
       for (const Part* line : root_.all(kind)) readComponent(*line, kind);
     }
+    refuseTwins(root_.all("viewport"), "id", room_);
+    refuseTwins(root_.all("input"), "id", room_);
     for (const Part* line : root_.all("viewport")) viewports_[line->textOf("id")] = line;
     findHead();
     readPeople();
@@ -67,6 +69,7 @@ class CfgReading {
       }
     }
     ranks_.finish();
+    scene_.tellUnused(screens_, head_);
     constexpr std::array<std::string_view, 8> kQuiet{"port_cs", "port_ss", "sound",   "info",
                                                      "version", "general", "network", "custom"};
     nameUnread(root_, kQuiet, room_);
@@ -82,12 +85,15 @@ class CfgReading {
     const glm::dvec3 turn_deg = tripleOf(line, "rot", "PYR", room_);
     node.local.matrix = unrealRotation(turn_deg.x, turn_deg.y, turn_deg.z);
     if (kind == "screen") {
+      if (!line.find("size"))
+        addError(room_, line.at, fmt::format("size is missing in screen '{}'", printable(node.id)));
       const glm::dvec3 size_m = tripleOf(line, "size", "XY", room_);
       node.width_m = size_m.x;
       node.height_m = size_m.y;
       screens_.push_back(node.id);
     }
     if (kind == "camera") cameraParent_ = node.parent;
+    node.isCamera = kind == "camera";
     scene_.add(std::move(node));
   }
 
@@ -185,12 +191,12 @@ class CfgReading {
     if (!nodes_.emplace(id, node.at.line).second)
       addError(room_, node.at,
                fmt::format("the name '{}' is taken in line {}, expected another", printable(id), nodes_[id]));
+    node.find("addr");
+    node.find("viewport");
     if (!scene_.find(screen)) {
       return addError(room_, node.placeOf("screen"),
                       fmt::format("there is no screen '{}'", printable(screen)));
     }
-    node.find("addr");
-    node.find("viewport");
     if (!head_.empty() && scene_.hangsOn(screen, head_)) {
       RoomWall preview;
       placeViewport(node, preview);

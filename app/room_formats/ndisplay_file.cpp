@@ -69,6 +69,7 @@ class NdisplayReading {
     readEyes();
     for (const NdisplayView& view : views_) readView(view);
     ranks_.finish();
+    scene_.tellUnused(screens_, head_);
     nameUnread(config_, kQuiet, room_);
   }
 
@@ -114,6 +115,7 @@ class NdisplayReading {
       node.height_m = size ? kCentimetre_m * numberOr(*size, "height", 0.0, room_) : 0.0;
       screens_.push_back(part.name);
     }
+    node.isCamera = kind == "cameras";
     scene_.add(std::move(node));
   }
 

@@ -71,6 +71,23 @@ std::optional<ReadCorners> NdisplayScene::cornersOf(const std::string& screen) {
                          node.width_m, node.height_m);
 }
 
+void NdisplayScene::tellUnused(const std::vector<std::string>& screens, const std::string& head) const {
+  std::set<std::string> used(screens.begin(), screens.end());
+  used.insert(head);
+  for (const std::string& screen : screens) {
+    const SceneNode* node = find(screen);
+    for (std::size_t depth = 0; node && depth <= kDeepestScene; ++depth) {
+      used.insert(node->id);
+      node = find(node->parent);
+    }
+  }
+  for (const auto& [id, node] : nodes_) {
+    if (!used.contains(id) && !node.isCamera && !node.isTracked)
+      addWarning(room_, node.at,
+                 fmt::format("component '{}' is left out: no screen hangs on it", printable(id)));
+  }
+}
+
 bool NdisplayScene::hangsOn(const std::string& id, const std::string& ancestor) const {
   const SceneNode* node = find(id);
   for (std::size_t depth = 0; node && depth <= kDeepestScene; ++depth) {

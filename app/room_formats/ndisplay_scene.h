@@ -35,6 +35,7 @@ struct SceneNode {
   UnrealPlace local{};
   double width_m = 0.0, height_m = 0.0;  ///< of a screen
   bool isTracked = false;
+  bool isCamera = false;
   FilePlace at{}, parentAt{};
 };
 
@@ -51,6 +52,9 @@ class NdisplayScene {
   std::optional<UnrealPlace> placeOf(const std::string& id);
   /// Returns the corners of a screen, or nothing with an error noted.
   std::optional<ReadCorners> cornersOf(const std::string& screen);
+  /// Warns of each component that carries none of the screens and is neither a screen itself nor `head`: it
+  /// is left out.
+  void tellUnused(const std::vector<std::string>& screens, const std::string& head) const;
   /// Returns whether a component hangs on another, directly or through others.
   bool hangsOn(const std::string& id, const std::string& ancestor) const;
 

@@ -23,6 +23,15 @@ std::string shown(std::string_view text) {
 /// Returns the part's name for messages; elements of arrays have none.
 std::string nameOf(const Part& part) { return part.name.empty() ? "this value" : shown(part.name); }
 
+/// Returns a part of the same name that counts instead of one that no reader has looked up: of several of one
+/// name, find() takes the last. Returns null if there is none.
+const Part* insteadOf(const Part& part, const Part& whole) {
+  const auto later = std::find_if(whole.parts.begin(), whole.parts.end(), [&](const Part& other) {
+    return &other > &part && other.isRead && !part.name.empty() && alike(other.name, part.name);
+  });
+  return later == whole.parts.end() ? nullptr : &*later;
+}
+
 }  // namespace
 
 const std::vector<Part>& partsOf(const Part* part) {
@@ -36,13 +45,11 @@ bool alike(std::string_view a, std::string_view b) {
 }
 
 const Part* Part::find(std::string_view wanted) const {
-  const Part* found = nullptr;
-  for (const Part& part : parts) {
-    if (!alike(part.name, wanted)) continue;
-    part.isRead = true;
-    found = &part;
-  }
-  return found;
+  const auto last =
+      std::find_if(parts.rbegin(), parts.rend(), [&](const Part& part) { return alike(part.name, wanted); });
+  if (last == parts.rend()) return nullptr;
+  last->isRead = true;
+  return &*last;
 }
 
 std::vector<const Part*> Part::all(std::string_view wanted) const {
@@ -208,6 +215,9 @@ void nameUnread(const Part& whole, std::span<const std::string_view> quiet, Room
       continue;
     if (part.isRead) {
       nameUnread(part, quiet, room);
+    } else if (const Part* other = insteadOf(part, whole)) {
+      addWarning(room, part.at,
+                 fmt::format("{} is left out: the one of line {} counts", nameOf(part), other->at.line));
     } else if (part.text.empty()) {
       addWarning(room, part.at, fmt::format("'{}' is left out: nothing here does the like", nameOf(part)));
     } else {

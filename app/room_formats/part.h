@@ -26,7 +26,8 @@ struct Part {
   std::vector<Part> parts{};
   mutable bool isRead = false;  ///< a reader has looked it up
 
-  /// Returns the last part of that name, whatever its capitals, and marks it as read; null if there is none.
+  /// Returns the last part of that name, whatever its capitals, and marks it as read, not those before it;
+  /// null if there is none.
   const Part* find(std::string_view wanted) const;
   /// Returns all parts of that name in their order, and marks them as read.
   std::vector<const Part*> all(std::string_view wanted) const;

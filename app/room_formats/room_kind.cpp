@@ -17,6 +17,7 @@
 #include "app/room_formats/ndisplay_file.h"
 #include "app/room_formats/part.h"
 #include "app/room_formats/room_parts.h"
+#include "app/room_formats/sgct_nodes.h"
 #include "app/room_formats/sgct_trackers.h"
 #include "app/room_formats/sgct_xml.h"
 #include "app/room_import/pvx_file.h"
@@ -71,6 +72,7 @@ Room readSgctWithTrackers(const std::filesystem::path& file, const JsonNode& roo
                           const std::string& wanted) {
   refuseRoomName(wanted, file);
   Room room = readSgct(file, root);
+  addSgctNodes(root, room);
   addSgctTrackers(root, room);
   return room;
 }
@@ -129,9 +131,9 @@ Room readForeignRoom(const std::filesystem::path& file, const std::string& room)
   if (syntax == Syntax::xml && !isJson) return readXmlRoom(file, room);
   const bool isPvx = file.extension() == ".pvx";
   if (!isPvx && (syntax == Syntax::json || isJson)) return readJsonRoom(file, room);
+  if (!isPvx && syntax == Syntax::equalizer) return readEqc(file, readEqcParts(file), room);
   refuseRoomName(room, file);
   if (isPvx) return readPvx(file);
-  if (syntax == Syntax::equalizer) return readEqc(file, readEqcParts(file));
   if (syntax == Syntax::cfg) return readNdisplayCfg(file, readCfgLines(file));
   refuse(file, {}, "this begins as no room of another program");
 }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "app/file_keys/rig_keys.h"
@@ -60,6 +61,23 @@ bool takesWall(const RoomWall& wall, Room& room) {
   return false;
 }
 
+/// Gives the wall a name that a rig takes, and tells where it differs from the file's.
+void nameWall(RoomWall& wall, Room& room) {
+  const std::string given = printable(wall.wall.name), plain = plainName(given);
+  const FilePlace at = wall.at.name;
+  wall.wall.name = rigName(room, given);
+  if (wall.wall.name != plain) {
+    const auto first = std::find_if(room.walls.begin(), room.walls.end(),
+                                    [&](const RoomWall& other) { return other.wall.name == plain; });
+    addWarning(room, at,
+               fmt::format("the name '{}' is that of the wall of line {}, too: this one is called '{}'",
+                           plain, first->at.name.line, wall.wall.name));
+  } else if (!given.empty() && plain != given) {
+    room.assumptions.push_back(
+        fmt::format("the wall '{}' is called '{}', as a rig's names are, line {}", given, plain, at.line));
+  }
+}
+
 bool sameWindow(const RoomWall& a, const RoomWall& b) {
   return a.wall.node == b.wall.node && a.wall.window == b.wall.window;
 }
@@ -105,6 +123,18 @@ void dropUnseen(Room& room) {
   }
 }
 
+/// Tells that a device is the same tracker as one before it, and what of it does not count therefore.
+void tellSame(const TrackerSetup& first, const TrackerSetup& other, const std::string& name, FilePlace at,
+              Room& room) {
+  constexpr double kNear_m = 1e-6, kNear = 1e-9;
+  const Pose &a = first.roomFromTracker, &b = other.roomFromTracker;
+  const bool isThere = glm::distance(a.position_m, b.position_m) < kNear_m &&
+                       std::abs(glm::dot(a.orientation, b.orientation)) > 1.0 - kNear;
+  addWarning(room, at,
+             fmt::format("tracker '{}' is the one that is called '{}' here{}", name, first.name,
+                         isThere ? "" : ", whose place in the room counts"));
+}
+
 /// Returns the unit vector of an axis by its name, "X" or "-Z"; none for other words.
 std::optional<glm::dvec3> axisNamed(std::string_view name) {
   double sign = 1.0;
@@ -142,7 +172,7 @@ ReadCorners rectangleAround(const glm::dvec3& middle_m, const glm::dvec3& right,
 
 bool addWall(RoomWall wall, const ReadCorners& corners, Room& room) {
   if (!takesWall(wall, room)) return false;
-  wall.wall.name = rigName(room, printable(wall.wall.name));
+  nameWall(wall, room);
   const ThreeCorners three{{corners.lowerRight_m, corners.lowerLeft_m, corners.upperLeft_m},
                            {corners.names[1], corners.names[0], corners.names[2]}};
   if (const auto fault = rectangleFault(wall.wall.name, three)) {
@@ -163,7 +193,7 @@ bool addCurvedWall(RoomWall wall, const ScreenFormula& shape, Room& room) {
     addError(room, wall.at.wall, "expected at most 16 curved walls, of at most 8192 pixels each way");
     return false;
   }
-  wall.wall.name = rigName(room, printable(wall.wall.name));
+  nameWall(wall, room);
   if (const auto fault = curve({.shape = shape, .sagitta_m = sagittaFor_m(shape)}, room.axes, wall.wall)) {
     addError(
         room, wall.at.wall,
@@ -285,6 +315,13 @@ std::size_t addPerson(std::string_view name, double eyeSeparation_m, const glm::
   return room.people.size() - 1;
 }
 
+void leaveOutPlace(std::size_t person, FilePlace at, Room& room) {
+  if (!room.people.at(person).isTracked) return;
+  room.assumptions.push_back(
+      fmt::format("the place of {} is left out, for the tracker says where the eyes are, line {}",
+                  room.viewers.at(person).words, at.line));
+}
+
 std::optional<std::size_t> addTracker(TrackerSetup tracker, FilePlace at, Room& room) {
   const std::string given = tracker.name.empty() ? "tracker" : printable(tracker.name);
   try {
@@ -294,7 +331,9 @@ std::optional<std::size_t> addTracker(TrackerSetup tracker, FilePlace at, Room& 
     return {};
   }
   for (std::size_t i = 0; i < room.trackers.size(); ++i) {
-    if (room.trackers[i].kind == tracker.kind && room.trackers[i].source == tracker.source) return i;
+    if (room.trackers[i].kind != tracker.kind || room.trackers[i].source != tracker.source) continue;
+    if (room.trackers[i].name != given) tellSame(room.trackers[i], tracker, given, at, room);
+    return i;
   }
   if (room.trackers.size() >= kMostTrackers) {
     addWarning(room, at, fmt::format("a tracker is left out: a rig has at most {}", kMostTrackers));
@@ -306,6 +345,10 @@ std::optional<std::size_t> addTracker(TrackerSetup tracker, FilePlace at, Room& 
   };
   tracker.name = given;
   for (int number = 2; taken(); ++number) tracker.name = fmt::format("{}-{}", given, number);
+  if (tracker.name != given)
+    addWarning(room, at,
+               fmt::format("the name '{}' is that of another tracker: this one is called '{}'", given,
+                           tracker.name));
   room.trackers.push_back(std::move(tracker));
   return room.trackers.size() - 1;
 }
@@ -381,6 +424,8 @@ std::optional<glm::dquat> turnOfAxes(const std::string& right, const std::string
 }
 
 void finishRoom(std::string_view expected, Room& room, FilePlace at) {
+  std::set<std::string> told;
+  std::erase_if(room.assumptions, [&](const std::string& text) { return !told.insert(text).second; });
   if (room.walls.empty() && !room.hasErrors())
     addError(room, at, fmt::format("there is no wall here, expected {}", expected));
   separateOverlaps(room);

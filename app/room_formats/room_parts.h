@@ -33,9 +33,9 @@ struct ReadCorners {
 ReadCorners rectangleAround(const glm::dvec3& middle_m, const glm::dvec3& right, const glm::dvec3& up,
                             double width_m, double height_m);
 
-/// Adds a wall under its name, or that name with a number if it is taken. Adds an error instead if its
-/// corners make no rectangle or there are too many walls. A wall without pixels gets 1080 lines, with a
-/// warning. Returns whether the wall was added.
+/// Adds a wall under its name, or, with a warning, that name with a number if it is taken. Adds an error
+/// instead if its corners make no rectangle or there are too many walls. A wall without pixels gets 1080
+/// lines, with a warning. Returns whether the wall was added.
 bool addWall(RoomWall wall, const ReadCorners& corners, Room& room);
 
 /// Adds a wall whose screen is curved, like addWall. Its pixels are set before. Adds an error instead if the
@@ -80,6 +80,9 @@ std::string viewerName(const Room& room, std::string_view given);
 /// Adds somebody whose eyes start at `eyes_m`. Returns their index.
 std::size_t addPerson(std::string_view name, double eyeSeparation_m, const glm::dvec3& eyes_m, FilePlace at,
                       std::string words, Room& room);
+
+/// Tells, of somebody who is tracked, that the place that the file gives them is left out: a rig has none.
+void leaveOutPlace(std::size_t person, FilePlace at, Room& room);
 
 /// Adds a tracker. Returns its index, or nothing, with a warning noted, if its source is none that the kind
 /// can use. A tracker of that source that is there already is not added again.

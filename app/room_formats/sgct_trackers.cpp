@@ -96,6 +96,9 @@ void addSgctTrackers(const JsonNode& root, Room& room) {
       readDevice(tracker, device, user ? &*user : nullptr, room);
     }
   }
+  if (const JsonNode* place =
+          users && !users->children.empty() ? users->children.front().member("pos") : nullptr)
+    leaveOutPlace(0, place->at, room);
   nameUnread(trackers, {}, room);
 }
 

@@ -37,7 +37,7 @@ void addUnknownKey(Room& room, FilePlace at, std::string_view key, std::span<con
                                fmt::join(words, ", ")));
 }
 
-std::string rigName(const Room& room, std::string_view given) {
+std::string plainName(std::string_view given) {
   std::string plain(given);
   std::replace_if(
       plain.begin(), plain.end(),
@@ -46,7 +46,11 @@ std::string rigName(const Room& room, std::string_view given) {
         return !(ascii && (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_'));
       },
       '-');
-  if (plain.empty()) plain = "wall";
+  return plain.empty() ? "wall" : plain;
+}
+
+std::string rigName(const Room& room, std::string_view given) {
+  const std::string plain = plainName(given);
   std::string name = plain;
   const auto taken = [&] {
     return std::any_of(room.walls.begin(), room.walls.end(),

@@ -19,8 +19,10 @@ void addWarning(Room& room, FilePlace at, std::string text);
 /// Warns of a key that the other program does not know either, with the nearest known one.
 void addUnknownKey(Room& room, FilePlace at, std::string_view key, std::span<const std::string_view> known);
 
-/// Returns a valid, unique rig name: other characters become -, and a number is appended to a name already
-/// used.
+/// Returns a name with only such characters as a rig's names may have: others become -.
+std::string plainName(std::string_view given);
+
+/// Returns a valid, unique rig name: the plain name, with a number if it is taken.
 std::string rigName(const Room& room, std::string_view given);
 
 }  // namespace carom

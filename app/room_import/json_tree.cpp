@@ -76,9 +76,16 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const std::size_t end = std::min(std::max<std::size_t>(position, 1), text_.size() + 1) - 1;
     const FilePlace at = tooLarge ? beginOfToken() : lines_.at(end);
     const std::string shown = printable(token.substr(0, kShown));
-    fault = {at, tooLarge
-                     ? fmt::format("the number {} is too large, expected one that can be counted with", shown)
-                     : fmt::format("this is no JSON at '{}', expected a value, a comma or a bracket", shown)};
+    if (tooLarge) {
+      fault = {at, fmt::format("the number {} is too large, expected one that can be counted with", shown)};
+    } else if (position > text_.size() && open_ > 0) {
+      const JsonNode& last = current();
+      fault = {at, fmt::format("the file ends within {}{} of line {}, expected '{}'", last.words(),
+                               last.key.empty() ? "" : fmt::format(" '{}'", printable(last.key)),
+                               last.at.line, last.kind == JsonNode::Kind::array ? ']' : '}')};
+    } else {
+      fault = {at, fmt::format("this is no JSON at '{}', expected a value, a comma or a bracket", shown)};
+    }
     return false;
   }
 

@@ -30,6 +30,16 @@ struct Reading {
     for (const std::size_t child : path) element = &element->children[child];
     return *element;
   }
+  /// Returns why the text is no XML, in the parser's words; of a file that has lost its end, where it
+  /// stopped.
+  std::string faultOf(XML_Error error) const {
+    const XmlElement* last = open > 0 ? &root : nullptr;
+    for (const std::size_t child : path) last = &last->children[child];
+    if (last && (error == XML_ERROR_NO_ELEMENTS || error == XML_ERROR_UNCLOSED_TOKEN))
+      return fmt::format("the file ends within <{}> of line {}, expected </{}>", printable(last->name),
+                         last->at.line, printable(last->name));
+    return fmt::format("this is no XML ({}), expected well-formed elements", XML_ErrorString(error));
+  }
   void refuse(const char* why) {
     refusal = why;
     refusedAt = lines.at(static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(parser))));
@@ -158,11 +168,9 @@ XmlFile parseXml(const std::filesystem::path& file, const std::string& text, Doc
   }
   const auto where = static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(parser.get())));
   const FilePlace at = reading.refusal.empty() ? reading.lines.at(where) : reading.refusedAt;
-  throw InputErrors(
-      {InputError(file.string(), at.line, at.column,
-                  reading.refusal.empty() ? fmt::format("this is no XML ({}), expected well-formed elements",
-                                                        XML_ErrorString(XML_GetErrorCode(parser.get())))
-                                          : reading.refusal)});
+  throw InputErrors({InputError(
+      file.string(), at.line, at.column,
+      reading.refusal.empty() ? reading.faultOf(XML_GetErrorCode(parser.get())) : reading.refusal)});
 }
 
 }  // namespace carom

@@ -47,6 +47,9 @@ class LiveSource : public FrameSource {
   /// Shows a message in the room with the next frame.
   void announce(const std::string& words) { announcements_.later(words); }
 
+  /// Leaves the force devices at 0 N, and returns the notes of it, for the session's end.
+  std::vector<Note> endForces() { return inputs_.endForces(); }
+
   void next(const FrameTimes& given, const FrameInput& input, OperatorSettings& settings,
             Decision& decision) override;
   SourceStatus status() const override;

@@ -89,6 +89,16 @@ PlayerInputs::Act PlayerInputs::act(std::size_t viewer, const Viewers& viewers, 
   return act;
 }
 
+std::vector<Note> PlayerInputs::endForces() {
+  std::vector<Note> notes;
+  for (std::size_t viewer = 0; viewer < forces_.size(); ++viewer) {
+    if (!forces_[viewer]) continue;
+    for (const ForceNote& note : forces_[viewer]->finish())
+      notes.push_back({std::string(note.what), note.value, viewer});
+  }
+  return notes;
+}
+
 void PlayerInputs::letGo(std::size_t viewer, bool home) {
   hands_[viewer].letGo();
   if (home) hands_[viewer].goHome();

@@ -13,6 +13,7 @@
 #include "app/play/hand_force.h"
 #include "app/play/input_devices.h"
 #include "app/play/mouse_people.h"
+#include "app/session/decision.h"
 #include "app/session/wall_presses.h"
 #include "app/viewer/viewers.h"
 #include "cave/process/termination.h"
@@ -58,6 +59,8 @@ class PlayerInputs {
             const std::optional<HandForce::Holding>& holding, FrameRecord& record);
   /// Returns the force device of a viewer's hand, or null.
   HandForce* force(std::size_t viewer) { return forces_[viewer].get(); }
+  /// Leaves the force devices at 0 N at the end of a session. Returns why those that pushed do so no longer.
+  std::vector<Note> endForces();
 
   std::size_t steering() const { return steering_; }  ///< the viewer who steered last
   /// Returns whether the one who steered last asks for something.

@@ -22,7 +22,7 @@ void JournalListener::keep(std::unique_ptr<Journal> journal) {
 
 void JournalListener::shown(const Decision& decision) {
   if (!journal_) return;
-  const std::uint64_t number = decision.frame.record.number;
+  const std::uint64_t number = last_ = decision.frame.record.number;
   for (const Note& input : decision.inputs) journal_->addInput(number, input.what, input.value, input.viewer);
   for (const LessonAnswer& answer : decision.answers) {
     journal_->addAnswer(number, answer.lesson, answer.question, answer.answer, answer.viewer);
@@ -32,6 +32,11 @@ void JournalListener::shown(const Decision& decision) {
   for (const Note& note : decision.notes) journal_->addInput(number, note.what, note.value, note.viewer);
   if (statistics_) journal_->add(statistics_->rows());
   journal_->add(decision.frame, decision.heads, decision.samples, decision.strokes);
+}
+
+void JournalListener::add(const std::vector<Note>& notes) {
+  if (!journal_) return;
+  for (const Note& note : notes) journal_->addInput(last_, note.what, note.value, note.viewer);
 }
 
 void HapticListener::shown(const Decision& decision) {

@@ -31,8 +31,11 @@ class JournalListener : public FrameListener {
   void measureBy(const FrameStatistics* statistics) { statistics_ = statistics; }
 
   void shown(const Decision& decision) override;
+  /// Writes notes of the session's end, with the number of the last frame.
+  void add(const std::vector<Note>& notes);
 
  private:
+  std::uint64_t last_ = 0;  ///< number of the last frame
   std::unique_ptr<Journal> journal_;
   std::optional<ClosedOnLeaving> onLeaving_;  ///< closes the journal when the process ends
   const FrameStatistics* statistics_ = nullptr;

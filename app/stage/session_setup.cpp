@@ -140,6 +140,8 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   if (options.onlyFor) setup.rig = rigFor(std::move(setup.rig), *options.onlyFor);
   if (options.sky) onAllRanks(cluster, [&] { setup.rig = withSky(std::move(setup.rig), *options.sky); });
   if (options.byMouse) onAllRanks(cluster, [&] { putMouseInPlaceOfTrackers(setup.rig); });
+  for (Wall& wall : setup.rig.walls) wall.textSize = options.textSize;
+  if (setup.rig.panel) setup.rig.panel->textSize = options.textSize;
   setup.scenario = files.scenario(options.scenario);
   setup.hideRight = options.hideRight;
   adaptGame(setup);

@@ -37,6 +37,7 @@ struct SetupOptions {
       0};  ///< of a headset that is not there, in a replay: of its recorded pictures; 0: unknown
   std::optional<SkyPicture> sky{};  ///< drawn in the place of the rig's walls
   bool hideRight = false;           ///< lessons do not tell the right answer
+  double textSize = 1.0;            ///< of the walls' words, a factor
   bool byMouse = false;  ///< mouse and keys move heads and wands in the place of the rig's trackers
 };
 

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -99,11 +100,15 @@ class Rows {
   std::string text_;
 };
 
-/// Returns the number of ticks from the first row of a trace to its last.
+/// Returns the number of ticks from the first row of a trace to its last. Throws if that takes too long.
 long ticksIn(const std::vector<HandRow>& hand, const ForceLimits& limits) {
-  constexpr double kRounding = 1e-6;
-  return 1 + static_cast<long>(
-                 std::floor((hand.back().time_s - hand.front().time_s) / limits.period_s + kRounding));
+  constexpr double kRounding = 1e-6, kMostTicks = 4e6;
+  const double lasts_s = hand.back().time_s - hand.front().time_s;
+  if (lasts_s > kMostTicks * limits.period_s)
+    throw std::runtime_error(
+        fmt::format("the trace lasts {:g} s, expected at most {:g} s at this device's rate", lasts_s,
+                    kMostTicks * limits.period_s));
+  return 1 + static_cast<long>(std::floor(lasts_s / limits.period_s + kRounding));
 }
 
 /// The hand is where the trace says, whatever the force. The port's sum is that of the trapezoidal rule.

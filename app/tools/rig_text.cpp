@@ -267,7 +267,16 @@ void keepDisplays(Room& room) {
   const bool hasHosts = std::any_of(room.nodes.begin(), room.nodes.end(),
                                     [](const NodeSetup& node) { return !node.host.empty(); });
   for (const NodeSetup& node : room.nodes) displays.insert(node.display);
-  if (hasHosts || displays.size() > 1) return;
+  if (hasHosts || displays.size() > 1) {
+    const auto isPlain = [](const NodeSetup& node) { return node.host.empty() && node.display.empty(); };
+    for (const NodeSetup& node : room.nodes) {
+      if (isPlain(node))
+        room.assumptions.push_back(
+            fmt::format("rank {} is drawn where it is started: the file names no other computer", node.rank));
+    }
+    std::erase_if(room.nodes, isPlain);
+    return;
+  }
   if (!displays.empty()) {
     room.assumptions.push_back(
         fmt::format("every rank draws on the display that it finds: the file names {} for all of them",

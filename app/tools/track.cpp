@@ -9,7 +9,9 @@
 #include <ctime>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/files/config_folder.h"
@@ -19,6 +21,7 @@
 #include "devices/monitor/input_monitor.h"
 #include "devices/monitor/loss_counter.h"
 #include "devices/monitor/sensor_statistics.h"
+#include "devices/setup/force_factory.h"
 #include "devices/setup/tracker_factory.h"
 #include "devices/tracker/trace.h"
 #include "devices/usb/device_list.h"
@@ -216,10 +219,16 @@ int runTrack(const TrackOptions& options) {
 
 namespace {
 
-/// Lists the devices that push or rumble.
-void listForces(const std::vector<EvdevForceFacts>& forces) {
-  if (forces.empty()) return;
+/// Lists the devices that push or rumble, and those behind servers that the rig names.
+void listForces(const std::vector<EvdevForceFacts>& forces, const std::optional<Rig>& rig) {
+  std::vector<std::pair<std::string, std::string>> named;
+  for (const ViewerSetup& viewer : rig ? rig->viewers : std::vector<ViewerSetup>()) {
+    if (viewer.force && rowOf(viewer.force->kind).needsSource)
+      named.emplace_back(viewer.force->source, tryForce(*viewer.force, rig->axes).words);
+  }
+  if (forces.empty() && named.empty()) return;
   fmt::print("\nForce devices, for [hand.force]:\n");
+  for (const auto& [source, words] : named) fmt::print("{:<14} {:<18} {}\n", "vrpn", source, words);
   for (const EvdevForceFacts& force : forces) {
     if (force.problem.empty())
       fmt::print("{:<14} {:<18} {:<28} {}\n", "evdev", force.node, force.name, force.words());
@@ -230,18 +239,16 @@ void listForces(const std::vector<EvdevForceFacts>& forces) {
 
 }  // namespace
 
-int runTrackList() {
+int runTrackList(const std::optional<std::filesystem::path>& file) {
+  const std::optional<Rig> rig = file ? std::optional(readRig(*file)) : std::nullopt;
   const std::vector<ListedDevice> devices = listDevices();
   const std::vector<EvdevForceFacts> forces = listEvdevForces();
-  if (devices.empty() && !forces.empty()) {
-    fmt::print("No tracker that carom knows is plugged in.\n");
-    listForces(forces);
-    return 0;
-  }
   if (devices.empty()) {
     fmt::print(
-        "No device that carom knows is plugged in. (Trackers on the network are not looked for: name "
-        "them in a rig.)\n");
+        "No {} that carom knows is plugged in. (Those on the network are not looked for: name them in a "
+        "rig.)\n",
+        forces.empty() ? "device" : "tracker");
+    listForces(forces, rig);
     return 0;
   }
   fmt::print("{:<14} {:<18} {:<28} {}\n", "kind", "source", "device", "at");
@@ -250,7 +257,7 @@ int runTrackList() {
     if (!device.serial.empty()) fmt::print("{:<14} serial number {}\n", "", device.serial);
     if (!device.problem.empty()) fmt::print("{:<14} {}\n", "", device.problem);
   }
-  listForces(forces);
+  listForces(forces, rig);
   return 0;
 }
 
@@ -270,7 +277,9 @@ void addTrack(CLI::App& app, int& status) {
   command->add_option("--seconds", options->seconds, "End after this many seconds; by default, Ctrl-C ends")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
-  command->add_flag("--list", *list, "Only list the devices that are plugged in");
+  command->add_flag(
+      "--list", *list,
+      "Only list the devices that are plugged in and, with --rig, its force devices behind servers");
   command->footer(
       "Columns: age, the time since the newest pose; jitter, the spread of the intervals between poses; "
       "rest, the\n"
@@ -278,7 +287,10 @@ void addTrack(CLI::App& app, int& status) {
       "half\n"
       "usual ones.\n"
       "Example:\n  carom track --rig desk --record walk.csv --seconds 60");
-  command->callback([options, list, &status] { status = *list ? runTrackList() : runTrack(*options); });
+  command->callback([options, list, command, &status] {
+    const bool isNamed = command->count("--rig") > 0;
+    status = *list ? runTrackList(isNamed ? std::optional(options->rig) : std::nullopt) : runTrack(*options);
+  });
 }
 
 }  // namespace carom

@@ -22,8 +22,8 @@ struct TrackOptions {
 /// cannot be written.
 int runTrack(const TrackOptions& options);
 
-/// Prints the connected devices.
-int runTrackList();
+/// Prints the connected devices, and the force devices behind servers of a rig if one is given.
+int runTrackList(const std::optional<std::filesystem::path>& rig);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addTrack(CLI::App& app, int& status);

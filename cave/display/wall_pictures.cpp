@@ -37,7 +37,7 @@ void WallPictures::addPieces(WallEye& wallEye) {
   wallEye.meters.resize(std::max<std::size_t>(1, flatWalls_[wallEye.wall].size()));
   if (!wall.screen) return;
   for (const Wall& flat : flatWalls_[wallEye.wall])
-    wallEye.pieces.push_back(std::make_unique<RenderTarget>(flat.pixels, Sampled::light));
+    wallEye.pieces.push_back(std::make_unique<RenderTarget>(flat.pixels));
   wallEye.screen = std::make_unique<ScreenPicture>(*wall.screen);
 }
 

@@ -14,7 +14,7 @@ void allocatePicture(const glm::ivec2& size_px) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size_px.x, size_px.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
 }
 
-RenderTarget::RenderTarget(const glm::ivec2& size_px, Sampled sampled) : size_px_(size_px) {
+RenderTarget::RenderTarget(const glm::ivec2& size_px) : size_px_(size_px) {
   GLint limit_px = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit_px);
   if (size_px.x < 1 || size_px.y < 1 || size_px.x > limit_px || size_px.y > limit_px) {
@@ -22,12 +22,7 @@ RenderTarget::RenderTarget(const glm::ivec2& size_px, Sampled sampled) : size_px
                                          size_px.x, size_px.y, limit_px));
   }
   glBindTexture(GL_TEXTURE_2D, texture_);
-  if (sampled == Sampled::codes) {
-    allocatePicture(size_px);
-  } else {
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, size_px.x, size_px.y, 0, GL_BGRA, GL_UNSIGNED_BYTE,
-                 nullptr);
-  }
+  allocatePicture(size_px);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

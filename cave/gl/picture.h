@@ -10,10 +10,6 @@
 
 namespace carom {
 
-/// What a shader reads from a picture: its sRGB codes, or the light that they stand for, between whose texels
-/// it can then mix.
-enum class Sampled { codes, light };
-
 /// Gives the 2D texture that is bound room for a picture with 8 bits a colour, in the order of windows, which
 /// it is copied into: blue, green, red, alpha.
 void allocatePicture(const glm::ivec2& size_px);
@@ -23,7 +19,7 @@ void allocatePicture(const glm::ivec2& size_px);
 /// shares the texture.
 class RenderTarget {
  public:
-  explicit RenderTarget(const glm::ivec2& size_px, Sampled sampled = Sampled::codes);
+  explicit RenderTarget(const glm::ivec2& size_px);
 
   /// Fills it with black, or `width_px` columns from `left_px` on, unless all of it is black still; leaves no
   /// framebuffer bound.

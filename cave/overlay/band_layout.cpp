@@ -55,7 +55,7 @@ void layOut(const Wall& wall, const glm::ivec2& picture_px, std::span<const HudL
             BandLayout& layout) {
   layout.lines.clear();
   layout.buttons.clear();
-  const double letters_px = PanelPlace::kBandCapital / PanelPlace::kCapitalOfLetters * picture_px.y;
+  const double letters_px = PanelPlace::bandLetter(wall) * picture_px.y;
   const double most_px = PanelPlace::mostOfBand(wall) * picture_px.y / heightOf(lines);
   layout.height_px = std::max(1, static_cast<int>(std::min(std::ceil(letters_px), most_px)));
   layout.size_px = {picture_px.x, static_cast<int>(heightOf(lines) * layout.height_px)};
@@ -105,14 +105,13 @@ void addBand(const Wall& wall, std::span<const HudLine> lines, std::vector<WallB
 }
 
 bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wall) {
-  constexpr double kLetter = PanelPlace::kBandCapital / PanelPlace::kCapitalOfLetters;
   std::vector<HudLine> lines;
   for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
     for (std::uint8_t answer = 0; answer <= words.answers.size(); ++answer) {
       FrameRecord record;
       record.lesson = {phase, answer};
       describe(record, words, plan, {}, bandLetters(wall), lines);
-      if (heightOf(lines) * kLetter > PanelPlace::mostOfBand(wall)) return false;
+      if (heightOf(lines) * PanelPlace::bandLetter(wall) > PanelPlace::mostOfBand(wall)) return false;
     }
   }
   return true;

@@ -84,7 +84,8 @@ int ClassBoard::barRows() const {
   return static_cast<int>(view_.choices) * ((isCounted(view_, 0) ? 1 : 0) + (isCounted(view_, 1) ? 1 : 0));
 }
 
-/// Renders the letters and finds the size of the panel. `scale`: of the letters, on a narrow wall below 1.
+/// Renders the letters and finds the size of the panel. `scale`: of the letters, on a narrow wall less than
+/// its text size.
 void ClassBoard::layOut(double scale) {
   const double letters_px = PanelPlace::kBandCapital / PanelPlace::kCapitalOfLetters * picture_px_.y;
   letter_px_ = std::max(9, static_cast<int>(scale * std::ceil(letters_px)));
@@ -169,9 +170,9 @@ void ClassBoard::draw(const Wall& wall, const ClassView& view, const RenderTarge
     }
     lines_.clear();
     for (std::string& line : classLines(view)) lines_.push_back({std::move(line), {}});
-    layOut(1.0);
+    layOut(wall.textSize);
     const double most_px = kMostWidth * picture_px_.x;
-    if (size_px_.x > most_px) layOut(most_px / size_px_.x);
+    if (size_px_.x > most_px) layOut(wall.textSize * most_px / size_px_.x);
     paint();
   }
   const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);

@@ -206,13 +206,16 @@ void CueOverlay::addTurning(const HandView& hand, const FacingPlane& plane, cons
 /// them; with a force device also the force in the hand, and how many newtons at the cue one in the hand is.
 void CueOverlay::addScale(const HandView& hand, const ForceView& force, const FacingPlane& target) {
   const double cost = costOf(hand.u), unit_m = target.distance_m;
-  const auto up = [](double of) { return kScaleFoot + heightOf(of); };
+  // The force's lines are above the lower end that the scale has without them: a low puck is near a wall's
+  // rim.
+  const double foot = kScaleFoot + (force.shown ? kForceReadout : 0.0);
+  const auto up = [foot](double of) { return foot + heightOf(of); };
   // The scale stands on the side away from the stroke.
   const bool goesRight = glm::dot(hand.towards, target.right) > 1e-6;
   const double aside = goesRight ? kScaleLeft : kScaleRight;
   const auto on = [&](double across, double upwards) { return target.at(aside + across, upwards); };
   const double readout = force.shown ? kReadout + kForceReadout : kReadout;
-  addLine(on(kPanelMiddle, kScaleFoot - readout), on(kPanelMiddle, up(kMostCost) + 0.015), kPanel * unit_m,
+  addLine(on(kPanelMiddle, foot - readout), on(kPanelMiddle, up(kMostCost) + 0.015), kPanel * unit_m,
           kGround);
   addLine(on(0.0, up(0.0)), on(0.0, up(kMostCost)), kBar * unit_m, kTrack);
   addLine(on(0.0, up(0.0)), on(0.0, up(cost)), kBar * unit_m, colourOf(cost));
@@ -225,7 +228,7 @@ void CueOverlay::addScale(const HandView& hand, const ForceView& force, const Fa
   const auto say = [&](double upwards, fmt::format_string<double&> format, double value,
                        double height = kDigits) {
     const auto said = fmt::format_to_n(words.data(), words.size(), format, value);
-    addText(target, aside - kBar, kScaleFoot + upwards, height, {words.data(), said.size});
+    addText(target, aside - kBar, foot + upwards, height, {words.data(), said.size});
   };
   say(-0.042, texts::cue::kSpeed, betaOf(hand.u));
   say(-0.080, texts::cue::kEnergy, cost);

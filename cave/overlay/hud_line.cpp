@@ -19,8 +19,7 @@ double lettersOf(std::string_view text) {
 }  // namespace
 
 std::size_t bandLetters(const Wall& wall) {
-  const double letter_px =
-      kLetterWidth * PanelPlace::kBandCapital / PanelPlace::kCapitalOfLetters * wall.pixels.y;
+  const double letter_px = kLetterWidth * PanelPlace::bandLetter(wall) * wall.pixels.y;
   const double width_px = (1.0 - 2.0 * PanelPlace::kMargin) * wall.pixels.x;
   return std::max<std::size_t>(kLineLetters, static_cast<std::size_t>(width_px / letter_px));
 }

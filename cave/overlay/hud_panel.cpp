@@ -63,7 +63,7 @@ void HudPanel::inkLines(int height_px) {
 }
 
 void HudPanel::writePanel(const glm::ivec2& picture_px, const Wall& wall) {
-  const double capital_px = PanelPlace::kCapital_m * picture_px.y / sizeOf_m(wall).y;
+  const double capital_px = wall.textSize * PanelPlace::kCapital_m * picture_px.y / sizeOf_m(wall).y;
   int height_px =
       static_cast<int>(std::ceil(std::max(kSmallest_px, capital_px / PanelPlace::kCapitalOfLetters)));
   inkLines(height_px);

@@ -25,6 +25,9 @@ struct PanelPlace {
   static constexpr double kCapitalOfLetters =
       0.72;  ///< a capital's height, as a fraction of the nominal height
 
+  /// Returns the nominal height of the band's letters, as a fraction of the picture's height.
+  static double bandLetter(const Wall& wall) { return wall.textSize * kBandCapital / kCapitalOfLetters; }
+
   /// Returns the height of a wall's lower edge above the floor, in a room whose floor is at height 0.
   static double foot_m(const Wall& wall) {
     return glm::dot(wall.lowerLeft_m, wall.upperLeft_m - wall.lowerLeft_m) / sizeOf_m(wall).y;

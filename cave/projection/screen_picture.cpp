@@ -42,8 +42,9 @@ void ScreenPicture::draw(const glm::dvec3& eyeInRoom_m, std::span<const std::uni
     const std::optional<glm::dmat4> clip = clipFromRoom(screen_.pieces[i].wall, eyeInRoom_m);
     if (!clip) continue;
     setUniform(program_, "clipFromRoom", *clip);
-    const glm::vec2 texel_1 = 1.0F / glm::vec2(pieces[i]->size_px());
-    glUniform2f(glGetUniformLocation(program_, "texel_1"), texel_1.x, texel_1.y);
+    const glm::vec2 size_px(pieces[i]->size_px());
+    glUniform2f(glGetUniformLocation(program_, "size_px"), size_px.x, size_px.y);
+    glUniform2f(glGetUniformLocation(program_, "texel_1"), 1.0F / size_px.x, 1.0F / size_px.y);
     glBindTexture(GL_TEXTURE_2D, pieces[i]->texture());
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
       glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);

@@ -117,6 +117,7 @@ struct Wall {
   Flip flip = Flip::none;
   double displayLatency_s = 0.0;  ///< from the swap to the photons
   bool onHead = false;            ///< it hangs on the head, before an eye of a headset, wherever that is
+  double textSize = 1.0;          ///< of its words, a factor; where there is no room for it, they get smaller
   std::size_t heldFrames = 0;     ///< frames by which its pictures are delayed, to match slower walls
 };
 

@@ -26,7 +26,10 @@ class SteppedForce : public ForceChannel {
   const ForceReport& report() override { return loop_.report(); }
   double now_s(double given_s) const override { return given_s; }
   std::vector<std::string> takeNews() override { return {}; }
-  void end() noexcept override { device_.zero(); }
+  void end() noexcept override {
+    device_.zero();
+    loop_.end(ForceFall::ended, time_s_);
+  }
 
  private:
   ForceLimits limits_;

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "devices/network/only_session.h"
 #include "devices/network/socket.h"
 #include "devices/protocol/vrpn_decoder.h"
 #include "devices/tracker/retry.h"
@@ -23,6 +24,7 @@ class VrpnForce : public ForceDevice {
  public:
   VrpnForce(const VrpnSource& source, const std::stop_token& stop)
       : source_(source),
+        only_(source.sender + " at " + toString(source.server)),
         decoder_(source.sender),
         socket_(Socket::connectedTo(resolve(source.server, stop), stop)) {
     socket_.send(vrpnGreeting());
@@ -91,6 +93,7 @@ class VrpnForce : public ForceDevice {
   }
 
   VrpnSource source_;
+  OnlySession only_;  // a server lets any number of clients push
   VrpnDecoder decoder_;
   Socket socket_;
   std::array<std::uint8_t, VrpnDecoder::kMostBytes> bytes_{};

@@ -14,6 +14,7 @@
 
 #include "devices/network/source_url.h"
 #include "devices/programs/shared_segment.h"
+#include "devices/programs/trackd_pause.h"
 #include "devices/protocol/trackd_segment.h"
 #include "devices/tracker/retry.h"
 
@@ -23,11 +24,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr auto kLookEvery = 300us;
-constexpr auto kUnchangedFor = 200us;  // much longer than a daemon takes to write a sensor
+constexpr auto kLookEvery = 300us, kWatchEvery = 50us;  // while the daemon's pauses are not known
 constexpr auto kUnchangedIfLate = 1000us;
 constexpr int kMostLooks = 8;        // at sensors that keep changing
 constexpr auto kCheckEvery = 250ms;  // whether the segment is still there
+constexpr auto kBadFor = 250ms;      // a header that makes no sense for longer is no header
 constexpr auto kPause = 1000ms;
 constexpr auto kAliveEvery = 100ms;  // a sensor without a time, at rest, counts as seen again
 constexpr auto kQuietFor = 1s;
@@ -44,13 +45,9 @@ class FollowedSensor {
   /// Returns whether these bytes are a pose that was not there before. `headerMoved`: the daemon has written
   /// something since.
   bool isNews(const TrackdSensorBytes& bytes, bool headerMoved, Clock::time_point now) {
-    if (!known_) {
-      known_ = true;
-      last_ = bytes;
-      return false;
-    }
-    const bool isLater = std::memcmp(bytes.data() + kPoseBytes, last_.data() + kPoseBytes, kTimeBytes) != 0;
+    const bool isLater = hasOtherTime(bytes, last_);
     hasTimes_ = hasTimes_ || isLater;
+    if (!pause_.isKnown()) return false;
     if (hasTimes_) return isLater;
     const bool isAlive = taken_ && headerMoved && now - *taken_ > kAliveEvery;
     return isAlive || std::memcmp(bytes.data(), last_.data(), kPoseBytes) != 0;
@@ -59,10 +56,33 @@ class FollowedSensor {
     last_ = bytes;
     taken_ = now;
   }
+  /// Notes what a look sees: the bytes, and the time of the header. What is there at first may be old.
+  void watch(const TrackdSensorBytes& bytes, double written_s, Clock::time_point now) {
+    const bool isLater =
+        hasTimes_ ? hasOtherTime(bytes, seen_) : written_s == written_s && written_s != written_s_;
+    if (!known_) {
+      last_ = bytes;
+    } else if (isLater || bytes != seen_) {
+      pause_.changed(isLater, now);
+    }
+    known_ = true;
+    seen_ = bytes;
+    written_s_ = written_s;
+  }
   /// Returns whether the daemon gives it a time.
   bool hasTimes() const { return hasTimes_; }
+  /// Returns whether the daemon moves it and its pauses are still to be learned.
+  bool isWatched() const { return pause_.isBegun() && !pause_.isKnown(); }
+  Clock::duration settle() const { return pause_.settle(); }
 
  private:
+  static bool hasOtherTime(const TrackdSensorBytes& a, const TrackdSensorBytes& b) {
+    return std::memcmp(a.data() + kPoseBytes, b.data() + kPoseBytes, kTimeBytes) != 0;
+  }
+
+  TrackdPause pause_;
+  TrackdSensorBytes seen_{};  // at the last look
+  double written_s_ = kNone;  // then
   bool known_ = false, hasTimes_ = false;
   TrackdSensorBytes last_{};
   std::optional<Clock::time_point> taken_;
@@ -133,7 +153,9 @@ class Session {
     while (!stop.stop_requested()) {
       look();
       check();
-      std::this_thread::sleep_for(kLookEvery);
+      const bool isWatched = std::any_of(sensors_.begin(), sensors_.end(),
+                                         [](const FollowedSensor& sensor) { return sensor.isWatched(); });
+      std::this_thread::sleep_for(isWatched ? kWatchEvery : kLookEvery);
     }
   }
 
@@ -147,17 +169,33 @@ class Session {
     }
   }
 
+  /// Returns the header; nothing, for a while, if it makes no sense: a daemon may be writing it.
+  std::optional<TrackdSensors> headerAt(Clock::time_point now) {
+    try {
+      const TrackdSensors header = readHeader();
+      sound_ = now;
+      return header;
+    } catch (const std::runtime_error&) {
+      if (now - sound_ > kBadFor) throw;
+      sink_.refused();
+      return {};
+    }
+  }
+
   void look() {
     const auto now = Clock::now();
     const auto sinceLast = now - looked_;
     looked_ = now;
-    const TrackdSensors header = readHeader();
+    const auto read = headerAt(now);
+    if (!read) return;
+    const TrackdSensors& header = *read;
     const double written_s = timeOf(header.seconds, header.microseconds);
     const bool headerMoved = written_s == written_s && written_s != written_s_;
     readings_.clear();
     changed_.clear();
     for (std::size_t i = 0; i < header.count; ++i) {
       seen_[i] = copyTrackdSensor(segment_.bytes(), header, i);
+      sensors_[i].watch(seen_[i], written_s, now);
       if (sensors_[i].isNews(seen_[i], headerMoved, now)) changed_.push_back(i);
     }
     if (headerMoved) written_s_ = written_s;
@@ -171,13 +209,17 @@ class Session {
   /// Takes those of the changed sensors that the daemon is not just writing. A look that comes late may come
   /// when the next pose is begun, so it waits for longer.
   void takeUnchanging(const TrackdSensors& header, Clock::time_point now, Clock::duration sinceLast) {
-    Clock::duration wait = std::clamp<Clock::duration>(sinceLast, kUnchangedFor, kUnchangedIfLate);
+    if (changed_.empty()) return;
+    Clock::duration settle{0};
+    for (const std::size_t i : changed_) settle = std::max(settle, sensors_[i].settle());
+    Clock::duration wait = std::clamp(sinceLast, settle, std::max<Clock::duration>(settle, kUnchangedIfLate));
     for (int looks = 0; looks < kMostLooks && !changed_.empty(); ++looks) {
-      std::this_thread::sleep_for(std::exchange(wait, kUnchangedFor));
-      const TrackdSensors later = readHeader();
+      std::this_thread::sleep_for(std::exchange(wait, settle));
+      const TrackdSensors later = headerAt(Clock::now()).value_or(header);
       const double written_s = timeOf(later.seconds, later.microseconds);
       std::erase_if(changed_, [&](std::size_t i) {
         const TrackdSensorBytes again = copyTrackdSensor(segment_.bytes(), header, i);
+        sensors_[i].watch(again, written_s, Clock::now());
         if (again == seen_[i]) return take(i, written_s, now), true;
         seen_[i] = again;
         return false;
@@ -225,7 +267,7 @@ class Session {
   std::vector<Reading> readings_;
   double written_s_ = kNone;  // when the daemon last wrote
   std::string remark_;
-  Clock::time_point checked_ = Clock::now(), heard_ = checked_, looked_ = checked_;
+  Clock::time_point checked_ = Clock::now(), heard_ = checked_, looked_ = checked_, sound_ = checked_;
 };
 
 int readKey(std::string_view text) {

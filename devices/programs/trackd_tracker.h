@@ -21,9 +21,10 @@ TrackdSource readTrackdSource(std::string_view text);
 
 /// Returns the transport of that source, whose lengths are in `unit_m`. It looks at the segment 3000 times a
 /// second. A pose is taken when its time is new, or, from a daemon that gives sensors no time, when its
-/// numbers are; and only if it stays the same for another 0.2 ms, since the daemon may be writing it. Device
-/// times are those of the sensor, or else of the segment. The first contents of a segment may be old and are
-/// not taken.
+/// numbers are; and only if it stays the same for longer than the daemon's usual pause in the midst of a pose
+/// (trackd_pause.h), since the daemon may be writing it. Device times are those of the sensor, or else of the
+/// segment. The first contents of a segment may be old, and the first poses tell how the daemon writes: they
+/// are not taken.
 Transport trackdTransport(const TrackdSource& source, double unit_m);
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -83,6 +84,28 @@ void checkForceSource(const ForceSetup& setup) {
 std::string nameOf(const ForceSetup& setup) {
   const std::string kind = "force device " + std::string(rowOf(setup.kind).name);
   return setup.source.empty() ? kind : kind + " " + setup.source;
+}
+
+ForceTrial tryForce(const ForceSetup& setup, const RoomAxes& axes) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kListens{1000}, kPause{5};
+  const ForceRow& row = rowOf(setup.kind);
+  const ForceLimits limits = limitsOf(setup);
+  const std::string can = fmt::format("at most {:g} N, {:g} N/m, {:g} Hz", limits.force_n,
+                                      limits.stiffness_n_m, 1.0 / limits.period_s);
+  if (setup.kind == ForceKind::simulated) return {true, can};
+  try {
+    const Device device = row.open(setup, limits, axes, {});
+    if (!row.hasPose) return {true, can + "; it is there"};
+    const double begun_s = device->read(0.0).time_s;
+    for (const Clock::time_point begun = Clock::now(); Clock::now() - begun < kListens;) {
+      std::this_thread::sleep_for(kPause);
+      if (device->read(1.0).time_s != begun_s) return {true, can + "; it is there and sends its place"};
+    }
+    return {false, can + "; it is there, but sends no place, expected 100 a second at least"};
+  } catch (const std::exception& error) {
+    return {false, error.what()};
+  }
 }
 
 std::unique_ptr<ForceChannel> createForce(const ForceSetup& setup, const RoomAxes& axes,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,13 @@ void checkForceSource(const ForceSetup& setup);
 
 /// Returns the name of a device for people: "force device evdev /dev/input/event7".
 std::string nameOf(const ForceSetup& setup);
+
+/// What a force device says that is opened for a moment and not pushed.
+struct ForceTrial {
+  bool works = false;
+  std::string words;  ///< "at most 9 N, 600 N/m, 200 Hz; it is there and sends its place", or why it is not
+};
+ForceTrial tryForce(const ForceSetup& setup, const RoomAxes& axes);
 
 /// Creates the channel to the device: a simulated one goes on with the session's clock, all others have a
 /// thread each. A device that is not there is looked for, and the channel's news say so.

@@ -23,14 +23,11 @@ class DiscPair final : public PairContacts {
 
 class DiscAtCushion final : public CushionContacts {
  public:
-  bool mayTouch(const CushionPlane& cushion, const Vec21& u) const override {
-    return cushion.towards(u) > 0.0;
-  }
+  constexpr DiscAtCushion() : CushionContacts(false) {}
   std::optional<CushionContact> touchOf(const GameState& game, int i, const Leg& leg, const Turning& turning,
                                         int cushion) const override;
   std::optional<SpinningCushionKick> kick(const GameState& game, int i, int cushion, const Vec21& touch,
                                           const LegState& turn, double j, double restitution) const override;
-  bool canLie() const override { return false; }
   bool touches(const JamBody&, const CushionPlane&) const override { return true; }
 };
 

@@ -174,26 +174,25 @@ void EventPredictor::considerCushions(int i, PredictedEvent& best) const {
   const int cell = cells.cellOf(i);
   if (!cells.isAtRim(cell)) return;
   const std::vector<CushionPlane>& cushions = game_.rules.cushions;
+  const CushionContacts& contacts = cushionContactsOf(game_, i);
+  const Leg leg = game_.flightOf(i);
+  const unsigned met = game_.predictions[i].metCushions;
   for (int cushion = 0; cushion < static_cast<int>(cushions.size()); ++cushion) {
     const CushionPlane& plane = cushions[cushion];
     if (cells.canLeave(cell, plane.axis, plane.sign > 0.0 ? 1 : -1)) continue;
-    if ((game_.predictions[i].metCushions >> cushion & 1u) != 0) continue;
-    considerCushion(i, cushion, best);
+    if ((met >> cushion & 1u) == 0 && contacts.mayTouch(plane, leg.u)) considerCushion(i, leg, cushion, best);
   }
 }
 
-void EventPredictor::considerCushion(int i, int cushion, PredictedEvent& best) const {
-  const CushionContacts& contacts = cushionContactsOf(game_, i);
+void EventPredictor::considerCushion(int i, const Leg& leg, int cushion, PredictedEvent& best) const {
   const CushionPlane& plane = game_.rules.cushions[cushion];
-  const Leg leg = game_.flightOf(i);
-  if (!contacts.mayTouch(plane, leg.u)) return;
   // No earlier than straight flight to R (1 + u_n) from the plane, as R sqrt(1 + u_n²) is less; a glide is
   // slower.
   const double un = plane.towards(leg.u);
   const double atLeast = plane.inside(leg.start) - game_.discs[i].radius * (1.0 + std::abs(un));
   if (un > 0.0 ? atLeast * leg.u.t > (best.ownTime - leg.start.t) * un : atLeast > 0.0) return;
   const std::optional<CushionContact> contact =
-      contacts.touchOf(game_, i, leg, game_.spins[i].turning, cushion);
+      cushionContactsOf(game_, i).touchOf(game_, i, leg, game_.spins[i].turning, cushion);
   if (!contact) return;
   const double own = contact->ownTime;
   if (own >= game_.discs[i].turnsAt || own > best.ownTime) return;

@@ -31,7 +31,7 @@ class EventPredictor {
   void predictAmong(int i, int begin, int end);
   int findNear(int i, int begin);
   void considerCushions(int i, PredictedEvent& best) const;
-  void considerCushion(int i, int cushion, PredictedEvent& best) const;
+  void considerCushion(int i, const Leg& leg, int cushion, PredictedEvent& best) const;
   void considerStrokes(int i, PredictedEvent& best) const;
   void considerPairs(int i, int begin, int end, PredictedEvent& best);
   void considerPair(int i, int other, PredictedEvent& best);

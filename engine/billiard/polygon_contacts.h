@@ -33,12 +33,11 @@ class PolygonPair final : public PairContacts {
 
 class PolygonAtCushion final : public CushionContacts {
  public:
-  bool mayTouch(const CushionPlane&, const Vec21&) const override { return true; }
+  constexpr PolygonAtCushion() : CushionContacts(true) {}
   std::optional<CushionContact> touchOf(const GameState& game, int i, const Leg& leg, const Turning& turning,
                                         int cushion) const override;
   std::optional<SpinningCushionKick> kick(const GameState& game, int i, int cushion, const Vec21& touch,
                                           const LegState& turn, double j, double restitution) const override;
-  bool canLie() const override { return true; }
   bool liesAt(const GameState& game, int i, int cushion) const override;
   bool touches(const JamBody& body, const CushionPlane& cushion) const override;
 };

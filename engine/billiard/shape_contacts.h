@@ -91,8 +91,10 @@ class PairContacts {
 /// The contacts and kicks of a body of a certain shape and a cushion.
 class CushionContacts {
  public:
-  /// Returns whether a body with this velocity can come to touch the cushion.
-  virtual bool mayTouch(const CushionPlane& cushion, const Vec21& u) const = 0;
+  /// Returns whether a body with this velocity can come to touch the cushion: a corner can turn into it.
+  bool mayTouch(const CushionPlane& cushion, const Vec21& u) const {
+    return hasSides_ || cushion.towards(u) > 0.0;
+  }
   /// Returns the contact of a leg with a cushion.
   virtual std::optional<CushionContact> touchOf(const GameState& game, int i, const Leg& leg,
                                                 const Turning& turning, int cushion) const = 0;
@@ -101,14 +103,18 @@ class CushionContacts {
                                                   const Vec21& touch, const LegState& turn, double j,
                                                   double restitution) const = 0;
   /// Whether the body can lie on a cushion. One that cannot stops where it comes to it almost at rest.
-  virtual bool canLie() const = 0;
+  bool canLie() const { return hasSides_; }
   /// Returns whether it touches with a side on the leg that it follows.
   virtual bool liesAt(const GameState&, int, int) const { return false; }
   /// Returns whether a body that is near a cushion touches it.
   virtual bool touches(const JamBody& body, const CushionPlane& cushion) const = 0;
 
  protected:
+  constexpr explicit CushionContacts(bool hasSides) : hasSides_(hasSides) {}
   ~CushionContacts() = default;
+
+ private:
+  bool hasSides_;
 };
 
 }  // namespace carom

@@ -41,6 +41,7 @@ OWN_WORDS = {
     "app/operator/command.cpp": "names and values of commands, as session files and their log hold them",
     "app/operator/visitor_choices.h": "names of shipped games",
     "app/report/chart_file.cpp": "SVG",
+    "app/report/sculpture_file.cpp": "names of formats and files, and messages of the command line",
     "app/session/status_file.cpp": "keys and values of the status file",
     "cave/display/display_facts.cpp": "names of X11",
     "cave/display/monitors.cpp": "messages of the command line about monitors",

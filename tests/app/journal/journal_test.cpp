@@ -44,6 +44,24 @@ TEST(Journal, WhatWasWrittenIsReadWithTheSameBits) {
   }
 }
 
+TEST(Journal, KeepsTheSizeOfTheWords) {
+  const test::NothingIsLogged silence;
+  TemporaryFolder folder;
+  for (const double textSize : {1.0, 1.25, 2.0}) {
+    const auto file = folder / fmt::format("{}.db", textSize);
+    SessionFacts facts = kFacts;
+    facts.textSize = textSize;
+    { Journal(file, facts, false).add(frameOf(0), head(), {}); }
+    EXPECT_EQ(SessionFile(file).facts().textSize, textSize);
+  }
+  // What a damaged file says is as ever.
+  for (const char* value : {"nan", "7", "-1", "large"}) {
+    SQLite::Database(folder / "2.db", SQLite::OPEN_READWRITE)
+        .exec(fmt::format("UPDATE session SET value = '{}' WHERE key = 'text_size'", value));
+    EXPECT_EQ(SessionFile(folder / "2.db").facts().textSize, 1.0) << value;
+  }
+}
+
 TEST(Journal, SeveralViewersAreReadWithTheSameBits) {
   const test::NothingIsLogged silence;
   TemporaryFolder folder;

@@ -152,6 +152,26 @@ TEST(CoverFile, NamesByLineWhatItLeavesOut) {
   EXPECT_EQ(findingWith(room, "'Old'").at.line, 28);
 }
 
+TEST(CoverFile, WhatIsNearlyOfARoomIsNamed) {
+  const Room room =
+      roomOf("room.xml",
+             "<COCONFIG>\n<GLOBAL><COVER><ScreenConfig><Screen name='0' p='-90' "
+             "comment='F'/></ScreenConfig><FloorHeight value='-900'/>"
+             "\n<ChanelConfig><Channel "
+             "name='0'/></ChanelConfig><Plugin><ScreenConfg/></Plugin>\n<WindowConfig><Window name='0' "
+             "pipeIndex='2'/></WindowConfig></COVER></GLOBAL>\n<LOCAL><COVER/></LOCAL>\n<LOCALE "
+             "HOST='a'/>\n</COCONFIG>");
+  EXPECT_EQ(findingWith(room, "'ChanelConfig' is left out, expected 'ChannelConfig'?").at.line, 3)
+      << allFindings(room);
+  EXPECT_EQ(findingWith(room, "FloorHeight -900 is left out: the wall that is the floor is at 0 mm").at.line,
+            2)
+      << allFindings(room);
+  EXPECT_EQ(findingWith(room, "there is no pipe 2").at.line, 4) << allFindings(room);
+  EXPECT_EQ(findingWith(room, "this section names no computer").at.line, 5) << allFindings(room);
+  EXPECT_EQ(findingWith(room, "'LOCALE' is left out, expected GLOBAL").at.line, 6) << allFindings(room);
+  EXPECT_EQ(room.findings.size(), 5u) << allFindings(room);
+}
+
 TEST(CoverFile, AMasterAloneHasAWall) {
   const Room room =
       roomOf("room.xml",

@@ -81,6 +81,24 @@ TEST(EqcFile, CompoundsHandTheirChannelAndEyesDown) {
   expectCorners(room, "c", {2, 0, 2}, {2, 0, -2}, {2, 2, 2});
 }
 
+TEST(EqcFile, OneOfSeveralConfigurationsIsChosen) {
+  const auto config = [](const std::string& name, const std::string& width) {
+    return "config { " + name +
+           " appNode { pipe { window { viewport [ 0 0 200 100 ] channel { name \"c\" } } } }\n" +
+           "canvas { segment { channel \"c\" wall { bottom_left [ 0 0 0 ] bottom_right [ " + width +
+           " 0 0 ] top_left [ 0 1 0 ] } } } }\n";
+  };
+  const std::string two = "server {\n" + config("name \"big\"", "2") + config("", "1") + "}";
+  EXPECT_EQ(refusalOf("room.eqc", two)
+                .find("2:1: there are 2 rooms in this file, expected --room with one of 'big', '1'"),
+            0u)
+      << refusalOf("room.eqc", two);
+  EXPECT_EQ(roomOf("room.eqc", two, "big").walls.at(0).wall.lowerRight_m.x, 2.0);
+  const Room second = roomOf("room.eqc", two, "1");
+  EXPECT_EQ(second.walls.at(0).wall.lowerRight_m.x, 1.0);
+  EXPECT_TRUE(second.findings.empty()) << allFindings(second);
+}
+
 TEST(EqcFile, FaultsAreNamedAtTheirPlaces) {
   const std::string cut = kCave.substr(0, kCave.rfind('}'));
   EXPECT_NE(refusalOf("room.eqc", cut).find("the file ends within the section of line 3, expected '}'"),

@@ -81,6 +81,23 @@ TEST(SgctXml, TrackersOfTheFirstUserComeOver) {
   EXPECT_EQ(findingWith(room, "device 'Phone'").at.line, 8);
 }
 
+TEST(SgctXml, NodesAreComputers) {
+  const Room room = roomOf("room.xml", kRoom);
+  ASSERT_EQ(room.nodes.size(), 2u);
+  EXPECT_EQ(room.nodes[0].host, "a");
+  EXPECT_EQ(room.nodes[1].host, "b");
+  EXPECT_EQ(room.nodes[1].rank, 1);
+  const Room second = roomOf("room.xml", with(kRoom, "masterAddress='a'", "masterAddress='b'"));
+  EXPECT_EQ(findingWith(second, "the master 'b' is node 1: here the first leads").at.line, 1)
+      << allFindings(second);
+  const Room nobody = roomOf("room.xml", with(kRoom, "masterAddress='a'", "masterAddress='c'"));
+  EXPECT_EQ(findingWith(nobody, "no node has the address of the master 'c'").at.line, 1)
+      << allFindings(nobody);
+  const Room here =
+      roomOf("room.xml", with(with(kRoom, "ip='a'", "ip='127.0.0.1'"), "address='b'", "address='localhost'"));
+  EXPECT_TRUE(here.nodes.empty());
+}
+
 TEST(SgctXml, FaultsAreNamedAtTheirPlaces) {
   EXPECT_EQ(refusalOf("room.xml", with(kRoom, "<size x='800'", "<size x='8/0'")).rfind("5:36: ", 0), 0u)
       << refusalOf("room.xml", with(kRoom, "<size x='800'", "<size x='8/0'"));

@@ -1,5 +1,6 @@
 """study_session.py CAROM CONFIG OUT: see study_session.sh."""
 
+import contextlib
 import csv
 import html.parser
 import json
@@ -50,7 +51,7 @@ def run(*words, status=0):
 
 
 def query(sql, *values, file=session):
-    with sqlite3.connect(f"file:{file}?mode=ro", uri=True, timeout=10) as database:
+    with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True, timeout=10)) as database:
         return database.execute(sql, values).fetchall()
 
 
@@ -187,7 +188,8 @@ def smooth_path(times, places):
         even.append([a + share * (b - a) for a, b in zip(places[at], places[at + 1])])
     reach = int(4 * sigma * 60)
     weights = [math.exp(-((k / 60 / sigma) ** 2) / 2) for k in range(-reach, reach + 1)]
-    smooth = [[sum(w * even[min(len(even) - 1, max(0, i + k - reach))][axis] for k, w in enumerate(weights)) / sum(weights) for axis in range(3)] for i in range(count)]
+    even = [[2 * a - b for a, b in zip(even[0], even[k])] for k in range(reach, 0, -1)] + even + [[2 * a - b for a, b in zip(even[-1], even[-1 - k])] for k in range(1, reach + 1)]
+    smooth = [[sum(w * even[i + k][axis] for k, w in enumerate(weights)) / sum(weights) for axis in range(3)] for i in range(count)]
     return sum(math.dist(a, b) for a, b in zip(smooth, smooth[1:]))
 
 
@@ -244,7 +246,7 @@ def check_responses(folder, plan, codes):
 
 
 def check_anonymous(folder):
-    words = [socket.gethostname(), str(out), "/root", "/home", "127.0.0.1", "anna", "example.org", "0171", "day.db", "room.toml"]
+    words = [socket.gethostname(), str(out), "/root", "/home", "127.0.0.1", "anna", "example.org", "0171 /", "day.db", "room.toml"]
     for path in folder.rglob("*"):
         if path.is_file():
             text = path.read_text()

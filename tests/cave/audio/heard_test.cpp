@@ -96,6 +96,35 @@ TEST(Heard, NothingWhileTimeStandsRunsBackOrLeaps) {
   EXPECT_EQ(count(seen_s - 0.5, seen_s + 0.5), 0u);
 }
 
+// Soft pucks turn only after they touch: they are heard at the first touch, as loud as they close, and
+// neither when they part nor when their far sides hear of it.
+TEST(Heard, SoftPucksAtTheirFirstTouch) {
+  const Vec3 eye_m(0.0, -0.5, 0.0);
+  const double seen_s = 0.5 / kC_m_s;
+  const auto hear = [&](EventKind kind, std::optional<Cushion> cushion, std::vector<Vec2> betas) {
+    GameEvent event;
+    event.kind = kind;
+    event.cushion = cushion;
+    event.at = {0.0, Vec3(0.0)};
+    for (const Vec2& beta : betas) event.turns.push_back({0, event.at, beta, beta, 0.0});
+    std::vector<Heard> heard;
+    heardBetween(observerAt({seen_s - 0.01, eye_m}), observerAt({seen_s + 0.01, eye_m}), {}, {event}, heard);
+    return heard;
+  };
+  const auto loudness = [&](EventKind kind, std::optional<Cushion> cushion, std::vector<Vec2> betas) {
+    return hear(kind, cushion, std::move(betas)).at(0).loudness;
+  };
+  using enum EventKind;
+  EXPECT_EQ(hear(softSoft, std::nullopt, {{0.3, 0.1}, {0.0, 0.1}}).at(0).kind, puckPuck);
+  EXPECT_EQ(hear(softCushion, Cushion::plusX, {{0.3, 0.1}}).at(0).kind, puckCushion);
+  for (const EventKind silent : {parted, farSide})
+    EXPECT_TRUE(hear(silent, std::nullopt, {{0.3, 0.1}}).empty()) << nameOf(silent);
+  // s/(1 + s) at a closing speed s, within the distance of full loudness.
+  EXPECT_NEAR(loudness(softSoft, std::nullopt, {{0.3, 0.1}, {0.0, -0.3}}), 0.5 / 1.5, 1e-12);
+  EXPECT_NEAR(loudness(softCushion, Cushion::plusX, {{0.3, -0.1}}), 0.3 / 1.3, 1e-12);
+  EXPECT_NEAR(loudness(softCushion, Cushion::minusY, {{0.3, -0.1}}), 0.1 / 1.1, 1e-12);
+}
+
 // D = γ (1 + β cos θ) for a head that moves at β, θ from the way to what rests: 3 straight towards it at 0.8
 // c.
 TEST(Heard, IsShiftedAndLoudAsItShould) {

@@ -197,6 +197,31 @@ TEST_F(CueOverlayPicture, TheScalesHeightIsTheCost) {
   EXPECT_EQ(CueOverlay::heightOf(9.0), CueOverlay::heightOf(CueOverlay::kMostCost));
 }
 
+// A puck may lie near the lower rim of a wall.
+TEST_F(CueOverlayPicture, WithAForceTheScaleEndsNoLower) {
+  FrameRecord record = pulling(0.6);
+  record.viewers[0].hand.towards = {-1.0, 0.0, 0.0};  // the scale is on the other side
+  const auto lowestOf = [&](const Image& image) {
+    const auto of = [&](double across) {
+      const FacingPlane target = facing(record.viewers[0].hand.target_m, kEyes_m, room_);
+      return static_cast<int>(pixelOf(target.at(CueOverlay::kScaleRight + across, 0.1)).x);
+    };
+    for (int y = 0; y < image.size_px.y; ++y) {
+      for (int x = of(0.0); x < of(0.1); ++x) {
+        if (image.rgb.at(3 * static_cast<std::size_t>(y * image.size_px.x + x)) > 150) return y;
+      }
+    }
+    return image.size_px.y;
+  };
+  const int plain = lowestOf(drawn(record));
+  record.viewers[0].force.shown = 1;
+  record.viewers[0].force.scale = 0.5;
+  const int withForce = lowestOf(drawn(record));
+  EXPECT_LT(plain, wall_.pixels.y);
+  EXPECT_GE(withForce, plain - 8) << "rows from below; the last line is small";
+  EXPECT_LE(withForce, plain + 30);
+}
+
 TEST_F(CueOverlayPicture, TheScaleIsUprightAndEquallyLargeEverywhere) {
   for (const glm::dvec3& place_m : {glm::dvec3(0.3, 0.8, -1.0), glm::dvec3(-2.0, 0.8, -5.0)}) {
     const FacingPlane plane = facing(place_m, kEyes_m, room_);

@@ -247,11 +247,13 @@ TEST(HudPanel, AreOnTheFirstWallAhead) {
 
 class DrawnWords : public testing::Test {
  protected:
-  Image drawn(const std::vector<HudLine>& lines) {
+  Image drawn(const std::vector<HudLine>& lines, double textSize = 1.0) {
     graphics_.makeCurrent();
     RenderTarget picture({900, 900});
     words_.set(lines);
-    words_.draw(frontOf("front", StereoMode::mono), picture);
+    Wall wall = frontOf("front", StereoMode::mono);
+    wall.textSize = textSize;
+    words_.draw(wall, picture);
     return readBack(picture);
   }
 
@@ -259,20 +261,46 @@ class DrawnWords : public testing::Test {
   HudPanel words_;
 };
 
-TEST_F(DrawnWords, CapitalsAreFourCentimetresHigh) {
-  const Image image = drawn({{"HHHH", {}}});
-  int lowest = 900, highest = -1;
-  for (int y = 0; y < 900; ++y) {
-    for (int x = 0; x < 900; ++x) {
-      if (image.rgb[static_cast<std::size_t>(3 * (y * 900 + x))] < 128) continue;
+/// The lowest and the highest row of a picture that is lit.
+std::pair<int, int> litRows(const Image& image) {
+  int lowest = image.size_px.y, highest = -1;
+  for (int y = 0; y < image.size_px.y; ++y) {
+    for (int x = 0; x < image.size_px.x; ++x) {
+      if (image.rgb[static_cast<std::size_t>(3 * (y * image.size_px.x + x))] < 128) continue;
       lowest = std::min(lowest, y);
       highest = std::max(highest, y);
     }
   }
-  EXPECT_NEAR(highest - lowest + 1, 0.04 * 300.0, 1.0);  // 300 pixels a metre
-  // The panel hangs from 2.2 m: two letters' heights of it with one line.
-  EXPECT_LT(highest, PanelPlace::kHighest_m * 300.0);
-  EXPECT_GT(lowest, (PanelPlace::kHighest_m - 0.15) * 300.0);
+  return {lowest, highest};
+}
+
+// Times the text size.
+TEST_F(DrawnWords, CapitalsAreFourCentimetresHigh) {
+  for (const double textSize : {1.0, 1.5, 2.0}) {
+    const auto [lowest, highest] = litRows(drawn({{"HHHH", {}}}, textSize));
+    EXPECT_NEAR(highest - lowest + 1, textSize * 0.04 * 300.0, 1.0);  // 300 pixels a metre
+    // The panel hangs from 2.2 m: two letters' heights of it with one line.
+    EXPECT_LT(highest, PanelPlace::kHighest_m * 300.0);
+    EXPECT_GT(lowest, (PanelPlace::kHighest_m - textSize * 0.15) * 300.0);
+  }
+}
+
+// The band's lines are broken for larger letters, and these get smaller only where they would take the game's
+// place.
+TEST(HudPanel, LargerWordsHaveFewerOfThemInALine) {
+  Wall wall = frontOf("front", StereoMode::mono);
+  wall.pixels = {3840, 1080};
+  const std::size_t letters = bandLetters(wall);
+  BandLayout layout;
+  const std::vector<HudLine> one{{"HHHH", {}}}, many(30, one.front());
+  layOut(wall, wall.pixels, one, layout);
+  const int height_px = layout.height_px;
+  wall.textSize = 2.0;
+  EXPECT_NEAR(static_cast<double>(bandLetters(wall)), 0.5 * static_cast<double>(letters), 1.0);
+  layOut(wall, wall.pixels, one, layout);
+  EXPECT_NEAR(layout.height_px, 2 * height_px, 1);
+  layOut(wall, wall.pixels, many, layout);
+  EXPECT_LE(layout.size_px.y, PanelPlace::mostOfBand(wall) * wall.pixels.y);
 }
 
 /// The height of the least high line of the picture, from run to run of bright rows.

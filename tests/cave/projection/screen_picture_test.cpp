@@ -52,7 +52,7 @@ double meanLight(const Painted& painted, const glm::dvec3& corner_m, const glm::
 }
 
 std::unique_ptr<RenderTarget> pictureOf(const Wall& wall, const Painted& painted, const glm::dvec3& eye_m) {
-  auto picture = std::make_unique<RenderTarget>(wall.pixels, Sampled::light);
+  auto picture = std::make_unique<RenderTarget>(wall.pixels);
   const glm::dvec3 across_m = (wall.lowerRight_m - wall.lowerLeft_m) / static_cast<double>(wall.pixels.x);
   const glm::dvec3 upwards_m = (wall.upperLeft_m - wall.lowerLeft_m) / static_cast<double>(wall.pixels.y);
   std::vector<std::uint8_t> rgb;

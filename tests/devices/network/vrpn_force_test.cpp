@@ -11,8 +11,10 @@
 #include <thread>
 
 #include "devices/force/force_loop.h"
+#include "devices/network/only_session.h"
 #include "devices/network_peer.h"
 #include "devices/protocol/vrpn_decoder.h"
+#include "devices/tracker/retry.h"
 #include "devices/vrpn_sender.h"
 #include "devices/vrpn_server.h"
 
@@ -98,6 +100,28 @@ TEST(VrpnForce, SendsTheLawAtItsLastPlace) {
   command.force_n = glm::dvec3(0.0);
   arm.device->write(command);
   EXPECT_EQ(nextField(*arm.client).at(15), 0.0F) << "no force, no field";
+}
+
+// A server lets any number of clients push, so sessions agree among themselves.
+TEST(VrpnForce, IsOfOneSessionAtATime) {
+  std::string source;
+  {
+    Connected arm;
+    source = arm.server.source();
+    try {
+      openVrpnForce(readVrpnSource(source), {});
+      ADD_FAILURE() << "a second session pushes";
+    } catch (const NeedsHelp& error) {
+      EXPECT_NE(std::string(error.what()).find("Head at 127.0.0.1:"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("is the force device of another session"), std::string::npos);
+    }
+    EXPECT_TRUE(arm.device) << "the first goes on";
+    arm.client->send(VrpnSender::pose(0, 0.25, 0.1, 1.0));
+    EXPECT_EQ(arm.readAt(7.0).position_m.x, 0.25);
+  }
+  const OnlySession free("Head at 127.0.0.1:1");  // after the first has ended, and of another device
+  const OnlySession other("Head at 127.0.0.1:2");
+  EXPECT_THROW(OnlySession("Head at 127.0.0.1:1"), NeedsHelp);
 }
 
 TEST(VrpnForce, LeavesTheDeviceAtZero) {

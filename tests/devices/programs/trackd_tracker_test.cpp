@@ -98,7 +98,8 @@ TEST(TrackdTracker, DeliversPosesAtTheTimesOfTheDaemon) {
   }
   ASSERT_TRUE(head.comesTrue(
       [&] { return !head.samples.empty() && head.samples.back().pose.position_m.x > 38.5 * kFoot_m; }));
-  ASSERT_GE(head.samples.size(), 35u) << "on a busy machine some are overwritten before they are seen";
+  // The first 16 are watched; on a busy machine some are overwritten before they are seen.
+  ASSERT_GE(head.samples.size(), 20u);
   for (const TrackerSample& sample : head.samples) {
     const long i = std::lround(sample.pose.position_m.x / kFoot_m);
     EXPECT_EQ(sample.sensor, 2);
@@ -114,20 +115,24 @@ TEST(TrackdTracker, DeliversPosesAtTheTimesOfTheDaemon) {
 
 // Daemons write without a lock, and this one takes its time in the midst of every pose.
 TEST(TrackdTracker, PosesAreNotOfTwoTimes) {
-  for (const bool timesFirst : {false, true}) {
-    const auto period = timesFirst ? 4000us : 1000us;
+  for (const auto& [timesFirst, period, pause] :
+       {std::tuple(false, 1000us, 100us), std::tuple(true, 4000us, 100us), std::tuple(false, 1000us, 200us),
+        std::tuple(true, 4000us, 200us), std::tuple(true, 4000us, 600us),
+        std::tuple(false, 8000us, 1000us)}) {
     std::optional<Daemon> daemon;
     Segment reserved(64);
     const int key = reserved.key();
     reserved.remove();
     reserved.detach();
     Watched head(transportOf(key));
-    daemon.emplace(head, period, 100us, timesFirst, key);
-    ASSERT_TRUE(head.comesTrue([&] { return head.samples.size() >= 100; })) << period.count();
+    daemon.emplace(head, period, pause, timesFirst, key);
+    ASSERT_TRUE(head.comesTrue([&] { return head.samples.size() >= 200; })) << period.count();
     const auto torn = std::count_if(head.samples.begin(), head.samples.end(), [&](const auto& sample) {
       return isTorn(sample) && !daemon->wasStopped(std::lround(sample.pose.position_m.x / kFoot_m));
     });
-    EXPECT_LE(torn * 50, static_cast<long>(head.samples.size())) << period.count();
+    EXPECT_LE(torn * 50, static_cast<long>(head.samples.size()))
+        << "a pose every " << period.count() << " us, pauses of " << pause.count() << " us, times first "
+        << timesFirst;
   }
 }
 
@@ -137,13 +142,13 @@ TEST(TrackdTracker, ADaemonWithoutTimesOfSensorsIsReadByItsHeader) {
   Watched head(transportOf(writer.segment.key()));
   ASSERT_TRUE(head.comesTrue([&] { return head.health().connected; }));
   std::vector<double> written_s;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 40; ++i) {
     std::this_thread::sleep_for(8ms);
     written_s.push_back(head.now_s());
     writer.writeUnstamped(1, {static_cast<float>(i + 1), 0, 0}, 1.8e9 + written_s.back());
   }
   ASSERT_TRUE(head.comesTrue(
-      [&] { return !head.samples.empty() && head.samples.back().pose.position_m.x > 19.5 * kFoot_m; }));
+      [&] { return !head.samples.empty() && head.samples.back().pose.position_m.x > 39.5 * kFoot_m; }));
   for (const TrackerSample& sample : head.samples) {
     const long i = std::lround(sample.pose.position_m.x / kFoot_m);
     if (i == 0) continue;  // sensor 0 rests at the origin
@@ -152,7 +157,7 @@ TEST(TrackdTracker, ADaemonWithoutTimesOfSensorsIsReadByItsHeader) {
   // At rest, its header alone moves.
   head.samples.clear();
   ASSERT_TRUE(head.comesTrue([&] {
-    writer.writeUnstamped(1, {20, 0, 0}, 1.8e9 + head.now_s());
+    writer.writeUnstamped(1, {40, 0, 0}, 1.8e9 + head.now_s());
     return head.samples.size() >= 4;
   }));
 }
@@ -220,6 +225,25 @@ TEST(TrackdTracker, SaysThatTheDaemonHasEnded) {
   ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
   EXPECT_NE(head.health().message.find("trackd has ended"), std::string::npos) << head.health().message;
   EXPECT_EQ(head.health().state, State::silent);
+}
+
+TEST(TrackdTracker, AHeaderThatIsBadForAMomentCostsAMoment) {
+  TrackdSensorsWriter writer(1);
+  Watched head(transportOf(writer.segment.key()));
+  ASSERT_TRUE(head.comesTrue([&] {
+    return writer.write(0, {1, 2, 3}, {}, 1.8e9 + head.now_s()), !head.samples.empty();
+  }));
+  head.samples.clear();
+  for (int i = 0; i < 50; ++i) {
+    writer.segment.put(12, std::uint32_t{0});
+    std::this_thread::sleep_for(3ms);
+    writer.segment.put(12, std::uint32_t{40});
+    writer.write(0, {1, 2, 3}, {}, 1.8e9 + head.now_s());
+    std::this_thread::sleep_for(8ms);
+    head.poll();
+  }
+  EXPECT_GE(head.samples.size(), 40u);
+  EXPECT_EQ(head.health().reconnections, 0u);
 }
 
 TEST(TrackdTracker, ASegmentThatIsNotTrackdsIsNamed) {

@@ -1,0 +1,38 @@
+#pragma once
+// The world tube of a puck: its outline at the height of its top, swept along its world line. Each point of
+// the outline has a history of its own (engine/light/vertex_history.h), which the tube follows exactly: where
+// the puck turns, the side that is struck turns first.
+
+#include <vector>
+
+#include "engine/billiard/billiard_setup.h"
+#include "engine/light/vertex_history.h"
+#include "engine/sculpture/solid.h"
+#include "engine/sculpture/spacetime_frame.h"
+
+namespace carom {
+
+/// Board times between which something is shown.
+struct Span {
+  double from_s = 0.0, until_s = 0.0;
+};
+
+/// The histories of points of a puck's top rim, anticlockwise seen from above.
+struct WorldTube {
+  double c_m_s = 1.0;
+  Span span;                                         ///< in which the puck is shown
+  std::vector<std::vector<VertexPiece>> generators;  ///< one for each point
+};
+
+/// Returns the tube of a rigid puck. `widened` multiplies the distances of the rim's points from the centre.
+WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, double widened = 1.0);
+
+/// Returns the events of a history from the first to the second board time: at both, at every turn between,
+/// and where it does not move straight so near that its chords are off by less than a tenth of a millimetre.
+std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Span& span, double c_m_s);
+
+/// Returns the tube as a closed surface in a frame: the events of neighbouring generators, joined by
+/// triangles in the order of their board times, with a lid at each end.
+SolidMesh solidOf(const WorldTube& tube, const SpacetimeFrame& frame);
+
+}  // namespace carom
