@@ -30,6 +30,7 @@
 #include "app/tools/list.h"
 #include "app/tools/observe.h"
 #include "app/tools/simulate.h"
+#include "app/tools/study.h"
 #include "app/tools/track.h"
 
 namespace carom {
@@ -81,6 +82,7 @@ void addCommands(CLI::App& app, int& status) {
   addDiagram(app, status);
   addExport(app, status);
   addAnswers(app, status);
+  addStudy(app, status);
   addList(app, status);
   addCheck(app, status, kOpeners, kShowPattern);
   addSimulate(app, status);

@@ -41,7 +41,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # The font of charts; and orted, without which MPI does not start even for a single process.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-dejavu-core, openmpi-bin")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, libgl1-mesa-dri, libopenxr-loader1")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "fxload, sqlite3, xvfb")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "fxload, r-base-core, r-cran-lme4, sqlite3, xvfb")
 
 set(CPACK_DEBIAN_ENGINE_PACKAGE_NAME libcarom-dev)
 set(CPACK_DEBIAN_ENGINE_PACKAGE_SECTION libdevel)

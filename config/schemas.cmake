@@ -4,9 +4,12 @@
 include(GNUInstallDirs)
 set(folder ${PROJECT_BINARY_DIR}/config)
 file(MAKE_DIRECTORY ${folder})
-foreach(kind playlist rig scenario)
+foreach(kind items playlist rig scenario study)
   set(schema ${folder}/${kind}.schema.json)
-  set(page ${folder}/keys-of-${kind}s.md)
+  set(plural ${kind}s)
+  string(REGEX REPLACE "ys$" "ies" plural ${plural})
+  string(REGEX REPLACE "ss$" "s" plural ${plural})
+  set(page ${folder}/keys-of-${plural}.md)
   add_custom_command(OUTPUT ${schema} ${page}
     COMMAND carom help --schema ${kind} > ${schema}
     COMMAND carom help --keys ${kind} > ${page}

@@ -25,6 +25,7 @@ LARGE = {
     "PlatformMotion": "home, tour, way and what was said of one platform",
     "SoftBody": "the arrays of one mesh",
     "SoftPlay": "is being written",
+    "StudyRun": "a function for each step of a participant",
     "StretchedFrame": "the terms of one equation",
 }
 ROOMS = ["app", "cave", "devices", "engine"]

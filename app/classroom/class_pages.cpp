@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/classroom/class_flow.h"
+#include "app/tables/html_text.h"
 #include "cave/texts/texts.h"
 #include "pages/class_css.h"
 #include "pages/class_html.h"
@@ -43,29 +44,6 @@ std::string wordsOfScript() {
 }
 
 }  // namespace
-
-std::string htmlOf(const std::string& text) {
-  std::string safe;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += letter;
-    }
-  }
-  return safe;
-}
 
 ClassPages classPages(const std::string& word) {
   Words ofPage{{"word", htmlOf(word)}, {"language", texts::kLanguage}};

@@ -13,7 +13,4 @@ struct ClassPages {
 /// Returns the pages of the class in the room of this word.
 ClassPages classPages(const std::string& word);
 
-/// Returns the text without what HTML would take for its own.
-std::string htmlOf(const std::string& text);
-
 }  // namespace carom

@@ -20,6 +20,7 @@
 #include <boost/beast/websocket.hpp>
 
 #include "app/classroom/class_pages.h"
+#include "app/study/form_fields.h"
 #include "engine/base/log.h"
 
 namespace carom {
@@ -90,6 +91,7 @@ class ClassServer::Host {
   Classroom& room() { return room_; }
   const ClassLimits& limits() const { return options_.limits; }
   const ClassPages& pages() const { return pages_; }
+  const ClassServerOptions& options() const { return options_; }
 
   /// Returns whether a request names this server, and comes from one of its own pages if it says from where.
   bool isOurs(beast::string_view host) const {
@@ -150,6 +152,7 @@ class ClassServer::Host::Connection : public std::enable_shared_from_this<Connec
   void begin() {
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(host_.limits().requestBytes));
+    parser_->body_limit(host_.options().studyPage ? kMostFormBytes : 0);
     stream_.expires_after(host_.limits().request);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](error_code failed, std::size_t) {
       failed ? self->end() : self->answer();
@@ -185,6 +188,7 @@ class ClassServer::Host::Connection : public std::enable_shared_from_this<Connec
 
  private:
   void answer();
+  void answerStudy(beast::string_view path);
   void respond(http::status status, const char* type = "text/plain", const std::string& body = "");
   void openSocket();
   void read();
@@ -199,7 +203,7 @@ class ClassServer::Host::Connection : public std::enable_shared_from_this<Connec
   Id id_;
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_{2 * 8192};
-  std::optional<http::request_parser<http::empty_body>> parser_;
+  std::optional<http::request_parser<http::string_body>> parser_;
   http::response<http::string_body> response_;
   std::optional<websocket::stream<beast::tcp_stream>> socket_;
   Allowance allowance_;
@@ -212,6 +216,7 @@ void ClassServer::Host::Connection::answer() {
   const auto& request = parser_->get();
   const beast::string_view target = request.target(), path = target.substr(0, target.find('?'));
   if (!host_.isOurs(request[http::field::host])) return respond(http::status::misdirected_request);
+  if (host_.options().studyPage) return answerStudy(path);
   if (path == "/socket") {
     if (!websocket::is_upgrade(request)) return respond(http::status::upgrade_required);
     return host_.isOurPage(request[http::field::origin]) ? openSocket() : respond(http::status::forbidden);
@@ -223,6 +228,20 @@ void ClassServer::Host::Connection::answer() {
   if (path == "/class.css") return respond(http::status::ok, "text/css; charset=utf-8", pages.style);
   if (path == "/class.js") return respond(http::status::ok, "text/javascript; charset=utf-8", pages.script);
   respond(http::status::not_found);
+}
+
+/// Answers a request for a page of a study: by itself, or with a form that one of its own pages sends.
+void ClassServer::Host::Connection::answerStudy(beast::string_view path) {
+  const auto& request = parser_->get();
+  const bool isForm = request.method() == http::verb::post;
+  if (!isForm && request.method() != http::verb::get) return respond(http::status::method_not_allowed);
+  if (isForm && (path != "/study" || !host_.isOurPage(request[http::field::origin])))
+    return respond(http::status::forbidden);
+  if (path == "/study.css")
+    return respond(http::status::ok, "text/css; charset=utf-8", host_.options().studyStyle);
+  if (path != "/" && path != "/study") return respond(http::status::not_found);
+  respond(http::status::ok, "text/html; charset=utf-8",
+          host_.options().studyPage(isForm ? std::string_view(request.body()) : std::string_view()));
 }
 
 void ClassServer::Host::Connection::respond(http::status status, const char* type, const std::string& body) {

@@ -6,9 +6,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/classroom/classroom.h"
 #include "app/classroom/mailbox.h"
@@ -31,6 +33,10 @@ struct ClassServerOptions {
   std::uint16_t port = 0;             ///< 0: any that is free
   std::string word, pin;
   ClassLimits limits{};
+  /// Of a study: takes a form, which may be empty, and returns the page that follows. The server then has
+  /// these pages alone. Called in the server's thread.
+  std::function<std::string(std::string_view form)> studyPage{};
+  std::string studyStyle{};
 };
 
 class ClassServer {

@@ -157,23 +157,46 @@ void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& option
           ""));
 }
 
-/// Adds what lets a class answer by phone.
-void addClass(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+/// Adds what lets a class answer by phone, or the participants of a study.
+void addClassAndStudy(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   auto* with = command.add_flag(
       "--class", options->hasClass,
       "Let a class answer by phone: the front wall shows how to join. Prints the address of the pages, the "
       "word of the room and the teacher's PIN. Without it no socket is open");
+  CLI::Option* study =
+      command
+          .add_option("--study", options->study,
+                      "A study whose participants come one after the other: they type the code of their slip "
+                      "on the page that is printed and answer there; the lessons run in the room, in their "
+                      "arm and order. Default rig: that of the first arm")
+          ->type_name("STUDY")
+          ->transform(shipped({"studies"}))
+          ->needs(command.get_option("--session"))
+          ->excludes(with);
+  study->needs(command.add_option("--slips", options->slips, "The codes that carom study codes has drawn")
+                   ->type_name("SLIPS.csv")
+                   ->needs(study));
   command
-      .add_option("--class-address", options->classAddress,
-                  "The address on which phones find it, in numbers. Default: this computer's in the network "
-                  "of its default route")
-      ->type_name("ADDRESS")
-      ->needs(with);
-  command.add_option("--class-port", options->classPort, "The port of the pages; 0: any that is free")
-      ->type_name("PORT")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 65535))
-      ->needs(with);
+      .add_flag("--amended", options->isAmended,
+                "Go on with a study that was changed after its first participant: both hashes are kept")
+      ->needs(study);
+  CLI::Option* address =
+      command
+          .add_option(
+              "--class-address", options->classAddress,
+              "The address on which phones find the pages of a class or a study, in numbers. Default: "
+              "this computer's in the network of its default route")
+          ->type_name("ADDRESS");
+  CLI::Option* port =
+      command.add_option("--class-port", options->classPort, "The port of the pages; 0: any that is free")
+          ->type_name("PORT")
+          ->capture_default_str()
+          ->check(CLI::Range(0, 65535));
+  command.parse_complete_callback([with, study, address, port] {
+    const CLI::Option* given = address->count() > 0 ? address : port;
+    if (given->count() > 0 && with->count() + study->count() == 0)
+      throw CLI::RequiresError(given->get_name(), "--class or --study");
+  });
 }
 
 }  // namespace
@@ -206,7 +229,7 @@ std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
       "Arrows walk, Page Up and Page Down raise and lower the head, Delete and End turn it; the wand points "
       "where the mouse does, and the left button is its trigger");
   addWithoutNodes(command, options->withoutNodes);
-  addClass(command, options);
+  addClassAndStudy(command, options);
   addUnattended(command, options);
   addSilent(command, options->silent);
   addExtraWindows(command, options->extra);
@@ -217,7 +240,7 @@ void chooseRest(CaveOptions& options) {
   const bool isWatched = !options.frames && !options.noWindow;
   if (options.rig.empty()) options.rig = configFolder() / (isWatched ? "rigs/play.toml" : "rigs/desk.toml");
   options.isUsualGame = options.scenario.empty();
-  if (options.isUsualGame && !options.resume)
+  if (options.isUsualGame && (!options.resume || !options.study.empty()))
     options.scenario = fileOfGame(isWatched ? kWelcome : "three-pucks");
 }
 

@@ -43,6 +43,9 @@ struct CaveOptions {
   bool hasClass = false;     ///< a class answers by phone
   std::string classAddress;  ///< on which its server listens; empty: that of the default route
   std::uint16_t classPort = 8080;      ///< 0: any that is free
+  std::filesystem::path study;         ///< a study whose participants come one after the other; empty: none
+  std::filesystem::path slips;         ///< the codes of its participants
+  bool isAmended = false;              ///< the study was changed after its first participant
   std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one
   bool hideRight = false;              ///< lessons do not tell the right answer
   double textSize = 1.0;               ///< of the walls' words, a factor

@@ -12,6 +12,7 @@
 
 #include "app/classroom/class_address.h"
 #include "app/classroom/class_desk.h"
+#include "app/classroom/study_desk.h"
 #include "app/commands/session_frames.h"
 #include "app/files/rig_viewers.h"
 #include "app/journal/session_file.h"
@@ -20,6 +21,7 @@
 #include "app/operator/visitor_choices.h"
 #include "app/session/game_settings.h"
 #include "app/session/live_source.h"
+#include "app/session/study_listener.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "devices/setup/tracker_factory.h"
@@ -171,6 +173,23 @@ std::unique_ptr<ClassDesk> openClass(const CaveOptions& options, const SessionSe
   return desk;
 }
 
+/// Opens the study with its codes, and prints where its pages are.
+std::unique_ptr<StudyDesk> openStudy(const CaveOptions& options, const SetupOptions& inputs) {
+  Study study = readStudy(options.study);
+  StudyDeskOptions desk{*options.session,
+                        readSlips(options.slips, study.participants),
+                        options.isAmended,
+                        inputs.scenario.file.string(),
+                        {},
+                        inputs.rig.file};
+  desk.server = {options.classAddress.empty() ? addressOfDefaultRoute() : options.classAddress,
+                 options.classPort, "", ""};
+  auto opened = std::make_unique<StudyDesk>(std::move(study), std::move(desk));
+  fmt::print("study: {}\n", opened->address());
+  std::fflush(stdout);
+  return opened;
+}
+
 /// Rank 0's objects for all games of the session.
 struct LivePlay {
   LivePlay(const SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
@@ -185,7 +204,15 @@ struct LivePlay {
         classroom(openClass(options, setup, inputs, before)) {
     if (classroom) leader.teach(*classroom);
     const WrittenGame game = options.resume ? WrittenGame::resumed : WrittenGame::first;
-    journal.keep(openJournal(options, game, inputs, setup));
+    const bool isNew = options.study.empty() || !std::filesystem::exists(*options.session);
+    if (isNew) journal.keep(openJournal(options, game, inputs, setup));
+    if (options.study.empty()) return;
+    journal.keep(nullptr);  // of a study the lessons alone are written
+    study = openStudy(options, inputs);
+    studyListener.emplace(*study, leader);
+    OperatorSettings settings = leader.settings();
+    study->applyTo(settings);
+    leader.begin(settings);
   }
 
   LivePlay(const LivePlay&) = delete;
@@ -210,6 +237,8 @@ struct LivePlay {
   std::unique_ptr<Sounds> sounds;
   std::unique_ptr<ClassDesk> classroom;  // null without --class
   JournalListener journal;
+  std::unique_ptr<StudyDesk> study;  // null without --study
+  std::optional<StudyListener> studyListener;
   std::unique_ptr<StatusFile> status;  // null without --status
 };
 
@@ -250,7 +279,7 @@ void sayHowItIsSeenAgain(const Cluster& cluster, const std::optional<std::filesy
 bool writeNext(JournalListener& journal, CaveOptions& options, const NextGame& next,
                const SetupOptions& inputs, const SessionSetup& setup) try {
   journal.keep(nullptr);  // before the file is opened again
-  if (!next.recordTo.empty()) options.session = next.recordTo;
+  if (!next.recordTo.empty() && options.study.empty()) options.session = next.recordTo;
   if (!options.session || next.attracts) return false;
   const WrittenGame game =
       std::filesystem::exists(*options.session) ? WrittenGame::another : WrittenGame::first;
@@ -281,11 +310,17 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
     play->source.playAnew();
     if (play->classroom) play->classroom->play(lessonOf(setup), file);
     std::optional<std::filesystem::path> session;
-    if (writeNext(play->journal, options, next, inputs, setup)) session = options.session;
+    play->journal.keep(nullptr);  // before the study writes
+    const bool isWanted = !play->study || play->study->play(file);
+    play->source.holdHeads(play->study && play->study->isStill());
+    if (isWanted && writeNext(play->journal, options, next, inputs, setup)) session = options.session;
+    if (play->study && session) play->study->begun();
     if (windows.console) windows.console->writeTo(session);
     if (play->status) play->status->play(setup.rig, setup.scenario.title, session.value_or(""));
-    play->leader.begin(
-        settingsOfNext(play->leader.settings(), next, setup.rig, setup.scenario, beginningOf(options)));
+    OperatorSettings settings =
+        settingsOfNext(play->leader.settings(), next, setup.rig, setup.scenario, beginningOf(options));
+    if (play->study) play->study->applyTo(settings);
+    play->leader.begin(settings);
     log::note(
         fmt::format("{}{}", setup.scenario.title, session ? " is written to " + session->string() : ""));
   });
@@ -302,9 +337,14 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
     frames.context().keyLock = &lock;
     return runFrames(frames.context());
   }
-  const LeaderParts lead{play->source,         play->leader,   windows,
-                         play->sounds.get(),   &play->journal, play->status.get(),
-                         play->classroom.get()};
+  const LeaderParts lead{play->source,
+                         play->leader,
+                         windows,
+                         play->sounds.get(),
+                         &play->journal,
+                         play->status.get(),
+                         play->classroom.get(),
+                         play->study ? &*play->studyListener : nullptr};
   SessionFrames frames(cluster, setup, *play->pacer, &lead, keys);
   frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());
@@ -330,10 +370,27 @@ void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
                                        options.scenario.string(), options.playlist.string()));
 }
 
+/// Returns where a session with a study was: clocks and frames go on, while its last game is over. The next
+/// participant's lessons are further games of the file.
+Before beforeNextParticipant(const CaveOptions& options, SetupOptions& inputs) {
+  Before before = whatWas(*options.session);
+  inputs.rig = {before.facts.rig, before.facts.rigText};
+  if (!before.last) return before;
+  before.last->lesson = {};
+  before.last->switches = options.switches;
+  before.last->views = options.views;
+  before.last->lightSpeed_m_s = readScenario(options.scenario).billiard.lightSpeed_m_s;
+  return before;
+}
+
 /// Settles which session file is written and, if it goes on, with which rig and scenario. Returns where it
 /// was.
 Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   if (!options.session) return {};
+  if (!options.study.empty() && options.resume) {
+    options.resume = false;
+    return beforeNextParticipant(options, inputs);
+  }
   const std::filesystem::path name = namedToday(*options.session);
   if (options.resumeOrNew) {
     options.session = newestOf(name);
@@ -364,7 +421,8 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
   Before before = settleSession(options, inputs);
   takePlaylist(options, inputs);
-  if (options.lesson && !options.scenario.empty() && !readScenario(options.scenario).lesson) {
+  if (options.lesson && options.study.empty() && !options.scenario.empty() &&
+      !readScenario(options.scenario).lesson) {
     throw std::runtime_error(fmt::format(
         "--lesson: {} has no [lesson], expected a scenario with one: carom list", options.scenario.string()));
   }
@@ -419,6 +477,15 @@ int runCave(const CaveOptions& options) {
                       [&](const Cluster& cluster) { sayHowItIsSeenAgain(cluster, session); });
 }
 
+namespace {
+
+/// The room of a study is that of its first arm, unless another one is asked for.
+void chooseRigOfStudy(CaveOptions& options) {
+  if (options.rig.empty() && !options.study.empty()) options.rig = readStudy(options.study).arms.front().rig;
+}
+
+}  // namespace
+
 void addCave(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("cave", "The immersive session: walk beside the board");
   const auto options = addCaveOptions(*command);
@@ -428,6 +495,7 @@ void addCave(CLI::App& app, int& status) {
       "  carom cave --switch colour=on --switch searchlight=on\n"
       "  mpirun -n 4 carom cave --rig four-walls-cluster");
   command->callback([options, &status] {
+    chooseRigOfStudy(*options);
     chooseRest(*options);
     status = runCave(*options);
   });

@@ -107,6 +107,7 @@ void SessionFrames::listen(SessionSetup& setup, const LeaderParts& lead, KeysOf 
     listeners.push_back(&console_.emplace(*lead.windows.console, setup, statistics_, lead.source, lead.leader,
                                           keys, lead.classroom));
   }
+  if (lead.study) listeners.push_back(lead.study);
   if (!setup.realTime) listeners.push_back(&progress_.emplace(lead.source));
 }
 

@@ -42,6 +42,7 @@ struct LeaderParts {
   JournalListener* journal;        ///< null if the session is not recorded
   StatusFile* status;              ///< null if there is none
   ClassDesk* classroom = nullptr;  ///< null if no class takes part
+  FrameListener* study = nullptr;  ///< null if there is no study
 };
 
 /// Opens the audio output of the system. Returns null in simulated time or if `silent`.

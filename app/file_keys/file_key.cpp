@@ -89,6 +89,10 @@ FileKey text(std::string_view name, std::string_view sentence) {
   return key(name, FileKey::Type::text, sentence);
 }
 
+FileKey date(std::string_view name, std::string_view sentence) {
+  return key(name, FileKey::Type::date, sentence);
+}
+
 FileKey choice(std::string_view name, std::span<const std::string_view> choices, std::string_view sentence,
                std::optional<std::size_t> fallback) {
   FileKey declared = key(name, FileKey::Type::choice, sentence);

@@ -44,6 +44,7 @@ struct FileKey {
     whole,
     flag,
     text,
+    date,      ///< a day, such as 2031-12-31, without quotes
     choice,    ///< one of several texts
     numbers,   ///< an array of a fixed count of numbers
     wholes,    ///< the same of whole numbers
@@ -91,6 +92,7 @@ FileKey whole(std::string_view name, int least, int most, std::string_view sente
               std::optional<int> fallback = {});
 FileKey flag(std::string_view name, std::string_view sentence, std::optional<bool> fallback = false);
 FileKey text(std::string_view name, std::string_view sentence);
+FileKey date(std::string_view name, std::string_view sentence);
 FileKey choice(std::string_view name, std::span<const std::string_view> choices, std::string_view sentence,
                std::optional<std::size_t> fallback = {});
 FileKey choice(std::string_view name, std::initializer_list<std::string_view> choices,

@@ -81,6 +81,8 @@ Json schemaOfValue(const FileKey& key) {
       return schemaOfNumber(key, key.type == Type::whole);
     case Type::flag:
       return {{"type", "boolean"}};
+    case Type::date:
+      return {{"type", "string"}, {"format", "date"}};
     case Type::text:
     case Type::choice:
       return schemaOfText(key);
@@ -154,6 +156,8 @@ std::string valueOf(const FileKey& key) {
       return "a whole number" + rangeOf(key);
     case Type::flag:
       return "`true` or `false`";
+    case Type::date:
+      return "a date, such as 2031-12-31";
     case Type::text:
       return "a text" + letters;
     case Type::choice:

@@ -258,6 +258,19 @@ std::string TomlTable::text(std::string_view key, std::optional<std::string> fal
   return fallback.value_or("");
 }
 
+std::optional<std::chrono::year_month_day> TomlTable::date(std::string_view key) const {
+  const FileKey& declared = state_->declared(key, {FileKey::Type::date});
+  const toml::node* node = state_->ask(key, !declared.isRequired);
+  if (!node) return {};
+  const auto* value = node->as_date();
+  if (!value) {
+    state_->wrong(key, *node, "a date without quotes, such as 2031-12-31");
+    return {};
+  }
+  const toml::date& day = value->get();
+  return std::chrono::year(day.year) / static_cast<unsigned>(day.month) / static_cast<unsigned>(day.day);
+}
+
 std::vector<PlacedText> TomlTable::texts(std::string_view key) const {
   state_->declared(key, {FileKey::Type::texts, FileKey::Type::monitors});
   std::vector<PlacedText> result;

@@ -3,6 +3,7 @@
 // with their positions and thrown together, so that the user can correct them all at once.
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -52,6 +53,8 @@ class TomlTable {
   int integer(std::string_view key, std::optional<int> most = {}) const;
   bool flag(std::string_view key, std::optional<bool> fallback = {}) const;
   std::string text(std::string_view key, std::optional<std::string> fallback = {}) const;
+  /// Reads a day; none if the key is absent or wrong.
+  std::optional<std::chrono::year_month_day> date(std::string_view key) const;
   /// Returns the index of the text among the declared choices; `fallback`, if given, where there is none.
   std::size_t choice(std::string_view key, std::optional<std::size_t> fallback = {}) const;
   /// Reads an array of numbers, whole ones if they are declared so.

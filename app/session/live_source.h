@@ -41,6 +41,8 @@ class LiveSource : public FrameSource {
   /// Starts a new game after scenario and world, which are held by reference, have been replaced.
   /// The walls come out of black.
   void playAnew();
+  /// From now on the heads stay where they are, or move again.
+  void holdHeads(bool on) { room_.viewers().hold(on); }
 
   /// Shows a message in the room with the next frame.
   void announce(const std::string& words) { announcements_.later(words); }

@@ -1,6 +1,7 @@
 #include "app/tools/check.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -25,6 +26,7 @@
 #include "app/room_formats/room_kind.h"
 #include "app/room_import/rig_room.h"
 #include "app/room_import/room_check.h"
+#include "app/study/study.h"
 #include "app/tools/import.h"
 #include "app/tools/option_values.h"
 #include "cave/overlay/band_layout.h"
@@ -38,7 +40,7 @@ namespace carom {
 
 namespace {
 
-enum class FileKind { scenario, rig, playlist, foreignRoom };
+enum class FileKind { scenario, rig, playlist, study, itemBank, foreignRoom };
 
 constexpr std::size_t kMostTold = 100;  // pucks and bodies, one by one
 
@@ -73,10 +75,14 @@ FileKind kindOf(const std::filesystem::path& path) {
     if (file.contains(key)) return FileKind::rig;
   }
   if (file.contains("game")) return FileKind::playlist;
-  refuse(path,
-         "this is neither a scenario, a rig nor a playlist, expected light_speed_m_s of a scenario, [[wall]] "
-         "of a "
-         "rig or [[game]] of a playlist");
+  for (const char* key : {"arm", "lessons", "participants"}) {
+    if (file.contains(key)) return FileKind::study;
+  }
+  if (file.contains("item")) return FileKind::itemBank;
+  refuse(
+      path,
+      "this is no file of a kind that is known here, expected light_speed_m_s of a scenario, [[wall]] of a "
+      "rig, [[game]] of a playlist, [[arm]] of a study or [[item]] of an item bank");
 }
 
 std::string counted(std::size_t count, std::string_view what) {
@@ -325,6 +331,37 @@ void tellPlaylist(const std::filesystem::path& path, const FileOpeners& open) {
   }
 }
 
+void tellStudy(const std::filesystem::path& path) {
+  const Study study = readStudy(path);
+  printFindings(path, study.odd);
+  fmt::print("{}: a study of {} in {}, {}\n", study.title, counted(study.participants, "participant"),
+             counted(study.arms.size(), "arm"), counted(study.lessons.size(), "lesson"));
+  for (const StudyArm& arm : study.arms) {
+    fmt::print("arm {}: rig {}, the head is {}", arm.name, arm.rig.string(),
+               arm.isStill ? "still" : "tracked");
+    if (!arm.switchesOff.empty()) fmt::print(", off: {}", fmt::join(arm.switchesOff, ", "));
+    if (!arm.viewsOff.empty()) fmt::print(", no views: {}", fmt::join(arm.viewsOff, ", "));
+    fmt::print("\n");
+  }
+  for (const StudyLesson& lesson : study.lessons)
+    fmt::print("lesson {}: {}\n", lesson.name, lesson.scenario.string());
+  fmt::print("orders of lessons: {}{}; items: {}, {}; SHA-256 {}\n", orderRows(study),
+             study.hasFixedOrder ? " (fixed)" : " (Williams)", study.bankFile.string(),
+             counted(study.bank.items.size(), "item"), study.sha256);
+  if (study.primary.empty())
+    log::warn(fmt::format("{}: there is no primary outcome: name the one comparison that needs no correction",
+                          path.string()));
+}
+
+void tellItemBank(const std::filesystem::path& path) {
+  const ItemBank bank = readItemBank(path);
+  printFindings(path, bank.odd);
+  fmt::print("{}: an item bank of {} on {}\n", bank.title, counted(bank.items.size(), "item"),
+             counted(bank.concepts().size(), "concept"));
+  for (std::size_t form = 0; form < kForms.size(); ++form)
+    fmt::print("form {}: {}\n", kForms[form], counted(bank.ofForm(form).size(), "item"));
+}
+
 }  // namespace
 
 int runCheck(const std::filesystem::path& file, const FileOpeners& open, const std::string& room) {
@@ -337,6 +374,12 @@ int runCheck(const std::filesystem::path& file, const FileOpeners& open, const s
     case FileKind::playlist:
       tellPlaylist(file, open);
       break;
+    case FileKind::study:
+      tellStudy(file);
+      break;
+    case FileKind::itemBank:
+      tellItemBank(file);
+      break;
     case FileKind::foreignRoom:
       return tellForeignRoom(file, room);
   }
@@ -345,13 +388,16 @@ int runCheck(const std::filesystem::path& file, const FileOpeners& open, const s
 
 void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPattern& showPattern) {
   CLI::App* command = app.add_subcommand(
-      "check", "Examine a scenario, a room or a playlist and say what is in it and what is suspicious");
+      "check",
+      "Examine a scenario, a room, a playlist, a study or an item bank and say what is in it and what is "
+      "suspicious");
   auto file = std::make_shared<std::filesystem::path>();
   command
       ->add_option("FILE", *file,
-                   std::string("Scenario, rig, playlist, or a room of another program: ") + kForeignFiles)
+                   std::string("Scenario, rig, playlist, study, item bank, or a room of another program: ") +
+                       kForeignFiles)
       ->required()
-      ->transform(shipped({"rigs", "scenarios", "playlists"}));
+      ->transform(shipped({"rigs", "scenarios", "playlists", "studies"}));
   auto room = std::make_shared<std::string>();
   command->add_option("--room", *room, kRoomHelp)->type_name("NAME");
   auto pattern = std::make_shared<bool>(false);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "app/file_keys/playlist_keys.h"
 #include "app/file_keys/rig_keys.h"
 #include "app/file_keys/scenario_keys.h"
+#include "app/file_keys/study_keys.h"
 #include "app/tools/manual_page.h"
 #include "app/tools/trouble_table.h"
 
@@ -60,11 +62,14 @@ int explain(const std::string& words) {
 
 /// Adds an option that prints the keys of a kind of file in a form.
 void addKeys(CLI::App& command, const char* option, const char* help, std::string (*form)(const FileKey&)) {
-  const auto print = [form](const std::string& kind) {
-    fmt::print("{}", form(kind == "rig" ? rigKeys() : kind == "scenario" ? scenarioKeys() : playlistKeys()));
-  };
+  static const std::map<std::string, const FileKey& (*)()> kinds{{"items", itemBankKeys},
+                                                                 {"playlist", playlistKeys},
+                                                                 {"rig", rigKeys},
+                                                                 {"scenario", scenarioKeys},
+                                                                 {"study", studyKeys}};
+  const auto print = [form](const std::string& kind) { fmt::print("{}", form(kinds.at(kind)())); };
   command.add_option_function<std::string>(option, print, help)
-      ->check(CLI::IsMember({"playlist", "rig", "scenario"}))
+      ->check(CLI::IsMember(&kinds))
       ->type_name("KIND");
 }
 
@@ -74,7 +79,8 @@ void addHelp(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "help", "Explain a message of the program and what helps; without one, list the commands");
   command->prefix_command();
-  addKeys(*command, "--keys", "List the keys of a kind of file: playlist, rig or scenario", pageOf);
+  addKeys(*command, "--keys", "List the keys of a kind of file: items, playlist, rig, scenario or study",
+          pageOf);
   addKeys(*command, "--schema",
           "Print the JSON Schema of such files, by which editors complete and check them", schemaOf);
   command->footer(

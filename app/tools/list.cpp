@@ -12,9 +12,12 @@
 #include "app/files/scenario.h"
 #include "app/journal/session_file.h"
 #include "app/operator/visitor_choices.h"
+#include "app/study/study.h"
 
 namespace carom {
 namespace {
+
+constexpr std::size_t kBeginning = 1U << 20U;  // of a file whose kind is looked for
 
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, std::string_view extension) {
   std::vector<std::filesystem::path> files;
@@ -51,9 +54,17 @@ void addPlaylist(const std::filesystem::path& file, const std::string& name, Lis
   listed.playlists.push_back(faulty(name, error));
 }
 
-/// Adds a file of a user's folder, if it is a scenario, a rig or a playlist: only a scenario has a light
-/// speed, only a rig has walls, only a playlist has games. Of others, which another program may have written,
-/// nothing is said.
+/// An item bank, which lies beside them, is no study.
+void addStudyFile(const std::filesystem::path& file, const std::string& name, ListedFiles& listed) try {
+  listed.studies.push_back({name, readStudy(file).title});
+} catch (const std::exception& error) {
+  const std::string text = beginningOf(file, InputKind::toml, kBeginning);
+  if (text.find("[[arm]]") != std::string::npos) listed.studies.push_back(faulty(name, error));
+}
+
+/// Adds a file of a user's folder, if it is a scenario, a rig, a playlist or a study: only a scenario has a
+/// light speed, only a rig has walls, only a playlist has games, only a study has arms. Of others, which
+/// another program may have written, nothing is said.
 void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
   ListedFiles as;
   addScenario(file, file.string(), as);
@@ -63,12 +74,13 @@ void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
     return;
   }
   addRig(file, file.string(), as);
-  constexpr std::size_t kBeginning = 1U << 20U;
   const std::string text = beginningOf(file, InputKind::toml, kBeginning);
   if (!as.rigs[0].isFaulty || text.find("[[wall]]") != std::string::npos) {
     listed.rigs.push_back(as.rigs[0]);
   } else if (text.find("[[game]]") != std::string::npos) {
     addPlaylist(file, file.string(), listed);
+  } else if (text.find("[[arm]]") != std::string::npos) {
+    addStudyFile(file, file.string(), listed);
   } else if (text.find("light_speed_m_s") != std::string::npos) {
     listed.games.push_back(as.games[0]);
   }
@@ -90,11 +102,13 @@ int runList() {
   print("lessons (carom cave --scenario NAME)", listed.lessons);
   print("rigs (carom cave --rig NAME)", listed.rigs);
   print("playlists (carom cave --playlist NAME)", listed.playlists);
+  print("studies (carom study plan NAME)", listed.studies);
   print("traces (carom filter NAME)", listed.traces);
   const auto isFaulty = [](const ListedFile& file) { return file.isFaulty; };
   return std::any_of(listed.games.begin(), listed.games.end(), isFaulty) ||
                  std::any_of(listed.rigs.begin(), listed.rigs.end(), isFaulty) ||
-                 std::any_of(listed.playlists.begin(), listed.playlists.end(), isFaulty)
+                 std::any_of(listed.playlists.begin(), listed.playlists.end(), isFaulty) ||
+                 std::any_of(listed.studies.begin(), listed.studies.end(), isFaulty)
              ? 1
              : 0;
 }
@@ -126,6 +140,8 @@ ListedFiles listFiles(const std::filesystem::path& folder) {
     addRig(file, file.stem().string(), listed);
   for (const auto& file : filesIn(configFolder() / "playlists", ".toml"))
     addPlaylist(file, file.stem().string(), listed);
+  for (const auto& file : filesIn(configFolder() / "studies", ".toml"))
+    addStudyFile(file, file.stem().string(), listed);
   for (const auto& file : filesIn(configFolder() / "traces", ".csv"))
     listed.traces.push_back({file.stem().string(), ""});
   for (const auto& file : filesIn(folder, ".toml")) addLocal(file.lexically_normal(), listed);
@@ -133,10 +149,11 @@ ListedFiles listFiles(const std::filesystem::path& folder) {
 }
 
 void addList(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("list",
-                                         "List the shipped games, lessons, rigs, playlists and traces, and "
-                                         "those in this folder; or the games of a "
-                                         "session");
+  CLI::App* command =
+      app.add_subcommand("list",
+                         "List the shipped games, lessons, rigs, playlists, studies and traces, and "
+                         "those in this folder; or the games of a "
+                         "session");
   const auto session = std::make_shared<std::optional<std::filesystem::path>>();
   command->add_option("SESSION", *session, "Session file whose games are listed");
   command->footer("Examples:\n  carom list\n  carom list visit.db");

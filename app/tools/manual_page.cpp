@@ -47,8 +47,9 @@ std::string ofOption(const CLI::Option& option) {
   return head + paragraph(option.get_description());
 }
 
-std::string ofCommand(const CLI::App& command) {
-  std::string usage = command.get_name(), positionals, options;
+/// `before`: the command of which this one is a part, or empty.
+std::string ofCommand(const CLI::App& command, const std::string& before = "") {
+  std::string usage = before + command.get_name(), positionals, options;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional()) {
       const std::string name = option->get_name(true);
@@ -68,8 +69,11 @@ std::string ofCommand(const CLI::App& command) {
 
 std::string manualOfCommands(const CLI::App& app) {
   std::string page;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     page += ofCommand(*command);
+    for (const CLI::App* part : command->get_subcommands([](const CLI::App*) { return true; }))
+      page += ofCommand(*part, command->get_name() + " ");
+  }
   return page;
 }
 

@@ -35,7 +35,19 @@ Viewers::Viewers(const Rig& rig, const Scenario& scenario, SharedTrackers tracke
 }
 
 void Viewers::track(const FrameTimes& times) {
-  for (std::size_t i = 0; i < trackings_.size(); ++i) heads_[i] = trackings_[i]->at(times);
+  for (std::size_t i = 0; i < trackings_.size(); ++i) {
+    heads_[i] = trackings_[i]->at(times);
+    if (!held_) continue;
+    heads_[i].pose = (*held_)[i];
+    heads_[i].celerity_m_s = Vec3(0.0);
+  }
+}
+
+void Viewers::hold(bool on) {
+  held_.reset();
+  if (!on) return;
+  held_.emplace();
+  for (std::size_t i = 0; i < trackings_.size(); ++i) (*held_)[i] = heads_[i].pose;
 }
 
 Viewers::Heads Viewers::heads() const {

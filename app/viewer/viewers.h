@@ -40,6 +40,9 @@ class Viewers {
   /// frame's record keeps of it.
   const HeadsetState& putOn(const std::optional<HeadsetFrame>& headset);
 
+  /// From now on the heads stay where they are, whatever the trackers say; or they move again.
+  void hold(bool on);
+
   /// Restarts in the initial state of another scenario, with proper time zero. The trackers continue.
   void startIn(const Rig& rig, const Scenario& scenario);
 
@@ -110,6 +113,7 @@ class Viewers {
   HeadsetState worn_;                                 ///< as it was last worn
   std::array<std::size_t, kMostViewers> trackers_{};  ///< of the heads, indices of the rig's trackers
   std::array<HeadEstimate, kMostViewers> heads_;
+  std::optional<std::array<Pose, kMostViewers>> held_;  ///< where the heads stay
   Observers observers_;
 };
 

@@ -1,6 +1,7 @@
-"""schema_test.py CONFIG SCHEMAS: every shipped scenario, rig and playlist fits the JSON Schema that its first line names; the
-schemas are those that the build has made."""
+"""schema_test.py CONFIG SCHEMAS: every shipped scenario, rig, playlist, study and item bank fits the JSON Schema that its first line
+names; the schemas are those that the build has made."""
 
+import datetime
 import pathlib
 import re
 import sys
@@ -14,9 +15,16 @@ except ImportError:
 
 import json
 
+
+
+def with_dates_as_texts(table):
+    """Returns the file as a schema sees it: JSON has no dates."""
+    return {key: value.isoformat() if isinstance(value, datetime.date) else value for key, value in table.items()}
+
+
 config, schemas = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 files = sorted(config.glob("scenarios/*.toml")) + sorted(config.glob("rigs/*.toml"))
-files += sorted(config.glob("playlists/*.toml"))
+files += sorted(config.glob("playlists/*.toml")) + sorted(config.glob("studies/*.toml"))
 assert files, "no shipped files found"
 for file in files:
     text = file.read_text()
@@ -24,8 +32,8 @@ for file in files:
     assert first.startswith("#:schema "), f"{file}: the first line names no schema"
     schema = json.loads((schemas / first.removeprefix("#:schema ../")).read_text())
     jsonschema.Draft7Validator.check_schema(schema)
-    jsonschema.validate(tomllib.loads(text), schema, cls=jsonschema.Draft7Validator)
-    misspelt = tomllib.loads(text) | {"titel": "x"}
+    jsonschema.validate(with_dates_as_texts(tomllib.loads(text)), schema, cls=jsonschema.Draft7Validator)
+    misspelt = with_dates_as_texts(tomllib.loads(text)) | {"titel": "x"}
     assert not jsonschema.Draft7Validator(schema).is_valid(misspelt), f"{file}: the schema lets unknown keys pass"
     print(f"{file.name} fits")
 
@@ -114,6 +122,7 @@ for page, names in [
     ("scenarios.md", names_in(scenario_keys)),
     ("teachers.md", names_in(scenario_keys)),
     ("operators.md", names_in([rig_keys, playlist_keys])),
+    ("studies.md", names_in(json.loads((schemas / "study.schema.json").read_text()))),
 ]:
     text = (config.parent / "app/doc" / page).read_text()
     given = set()

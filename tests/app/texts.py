@@ -36,6 +36,7 @@ OWN_WORDS = {
     "app/classroom/class_pages.cpp": "names in pages and signs of HTML",
     "app/classroom/class_server.cpp": "names of HTTP, and messages of the command line",
     "app/classroom/classroom_messages.cpp": "keys of the messages to pages",
+    "app/classroom/study_desk.cpp": "the path of a page",
     "app/classroom/phone_message.cpp": "keys of the messages of pages",
     "app/operator/command.cpp": "names and values of commands, as session files and their log hold them",
     "app/operator/visitor_choices.h": "names of shipped games",

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "app/tables/html_text.h"
 #include "cave/texts/texts.h"
 
 namespace carom {

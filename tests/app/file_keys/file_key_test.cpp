@@ -12,10 +12,12 @@
 #include "app/file_keys/playlist_keys.h"
 #include "app/file_keys/rig_keys.h"
 #include "app/file_keys/scenario_keys.h"
+#include "app/file_keys/study_keys.h"
 #include "app/files/input_file.h"
 #include "app/files/playlist.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/study/study.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
@@ -108,6 +110,11 @@ void compare(const FileKey& file, const Read& read, const std::vector<Variant>& 
 }
 
 TEST(FileKey, ReaderOfPlaylistsReadsTheDeclaredKeys) { compare(playlistKeys(), readPlaylist, {{}}); }
+
+TEST(FileKey, ReadersOfStudiesReadTheDeclaredKeys) {
+  compare(studyKeys(), [](const std::filesystem::path& file) { readStudy(file); }, {{}});
+  compare(itemBankKeys(), [](const std::filesystem::path& file) { readItemBank(file); }, {{}});
+}
 
 TEST(FileKey, ReaderOfRigsReadsTheDeclaredKeys) {
   const std::string osc = "kind = 'osc'", dome = "shape = 'dome'", grid = "shape = 'grid'",

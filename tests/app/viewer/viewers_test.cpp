@@ -81,6 +81,24 @@ TEST_F(SharedTracker, WhoStandsIsHeldWhenLostAndHisClockGoesOn) {
   EXPECT_NEAR(gained_s_[kBen], gamma * kStep_s, 1e-3 * kStep_s);
 }
 
+// Heads that are kept still stay where they were, and their clocks go as those of people who stand, whatever
+// the tracker says; let go, they are where the tracker has them.
+TEST_F(SharedTracker, HeadsAreKeptStill) {
+  for (int frame = 0; frame < 60; ++frame) step();
+  const Vec3 before_m = viewers_->head(kAnna).pose.position_m;
+  viewers_->hold(true);
+  for (int frame = 0; frame < 120; ++frame) {
+    feed(0.6 * frame * kStep_s, 0.5);
+    step();
+    ASSERT_EQ(viewers_->head(kAnna).pose.position_m, before_m) << "frame " << frame;
+    ASSERT_EQ(viewers_->head(kAnna).celerity_m_s, Vec3(0.0)) << "frame " << frame;
+    ASSERT_NEAR(gained_s_[kAnna], gained_s_[kBen], kRounding_s) << "frame " << frame;
+  }
+  viewers_->hold(false);
+  step();
+  EXPECT_NEAR(place_m(kAnna), 0.6 * 119 * kStep_s, 0.05);
+}
+
 // Lost while she walks, Anna is held and stands for the clocks: both age alike.
 TEST_F(SharedTracker, WhoWalksIsHeldWhenLostAndBothClocksGoOnAlike) {
   constexpr double kWalk_m_s = 0.6;

@@ -1,0 +1,103 @@
+#pragma once
+// A study while people take part: which page each participant sees, what they answer, and which lesson is
+// wanted in the room. The pages come from a thread of their own; frames never wait for them.
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/study/allocation.h"
+#include "app/study/form_fields.h"
+#include "app/study/study_pages.h"
+#include "app/study/study_tables.h"
+
+namespace carom {
+
+/// What the study wants of the room: a lesson of a participant, or that it waits.
+struct RoomWish {
+  std::string code;                               ///< empty: the room waits
+  std::size_t lesson = 0, position = 0, arm = 0;  ///< indices of lesson and arm; the place in their order
+};
+
+/// Reads number,code: the number of each code. Throws InputErrors with the line of a code that is none, that
+/// stands twice, or whose number the study does not have.
+std::map<std::string, std::size_t> readSlips(const std::filesystem::path& file, std::size_t participants);
+
+class StudyRun {
+ public:
+  struct Setup {
+    Study study;
+    std::map<std::string, std::size_t> slips;  ///< number by code
+    std::string consent;                       ///< the text of its page
+    std::function<std::string()> newToken;     ///< another one at each call
+    std::function<std::string()> today;        ///< YYYY-MM-DD, UTC
+    std::vector<bool> armsHere{};              ///< whether the room of each arm is this one; empty: of all
+  };
+  /// Goes on with the participants that the tables have, which must outlive this.
+  StudyRun(Setup setup, StudyTables& tables);
+
+  /// Takes a form, or none, and returns the next page. `now_s` is of any steady clock.
+  std::string page(std::string_view form, double now_s);
+
+  // For the thread of the frames, which none of these lets wait.
+  std::optional<RoomWish> takeWish();
+  /// Tells the time of the session.
+  void tell(double session_s) { session_s_ = session_s; }
+
+  const Study& study() const { return setup_.study; }
+  /// Records that the newest game of the session is this lesson.
+  void lessonBegins(const RoomWish& wish);
+
+ private:
+  struct Place {
+    ParticipantRow row;
+    Participant plan;
+    std::map<std::pair<std::string, std::string>, ResponseRow> responses;  ///< by phase and item
+    std::size_t item = 0;
+    double shown_s = 0.0, askedUnwell_s = 0.0;
+    bool isUnwell = false, asksUnwell = false;
+  };
+  using Refusal = std::string;
+
+  std::string enter(const std::string& typed, double now_s);
+  Refusal refusalOf(const std::string& code) const;
+  Place& placeOf(const std::string& code);
+  Refusal take(Place& place, const FormFields& fields, double now_s);
+  Refusal takeConsent(Place& place, const FormFields& fields);
+  void takeBackground(Place& place, const FormFields& fields);
+  void takeItem(Place& place, const FormFields& fields, double now_s);
+  Refusal takeRatings(Place& place, std::span<const RatingQuestion> questions, const FormFields& fields,
+                      double now_s);
+  void takeLesson(Place& place, double now_s);
+  void stop(Place& place);
+  void goTo(Place& place, StudyStep step);
+  void enterRoom(Place& place);
+  void leaveRoom(const Place& place);
+  std::string render(Place& place, const Refusal& notice, double now_s);
+  std::string renderTest(Place& place, const StudyPageFrame& frame) const;
+  std::vector<const Item*> itemsOf(const Place& place) const;
+  void keep(Place& place, ResponseRow row, bool isChanged);
+  void store();
+  void tellOperator(const Place& place) const;
+
+  Setup setup_;
+  StudyTables& tables_;
+  std::vector<Participant> planned_;
+  std::mutex mutex_;
+  std::map<std::string, Place> places_;          ///< by code
+  std::map<std::string, std::string> codes_;     ///< by token
+  std::deque<std::function<void()>> unwritten_;  ///< rows that wait for the disk
+  std::optional<RoomWish> wish_;
+  std::string inRoom_;  ///< codes
+  bool isTroubled_ = false;
+  std::atomic<double> session_s_{0.0};
+};
+
+}  // namespace carom

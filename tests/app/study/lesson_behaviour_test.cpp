@@ -1,0 +1,85 @@
+// The path of a head: walks have their length, whatever the rate, and the noise of a tracker is no walk.
+#include "app/study/lesson_behaviour.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "app/study/study_columns.h"
+
+namespace carom {
+namespace {
+
+struct Path {
+  std::vector<double> times_s;
+  std::vector<Vec3> places_m;
+  double length_m() const { return pathLength_m(times_s, places_m); }
+  double rawLength_m() const {
+    double sum_m = 0.0;
+    for (std::size_t i = 1; i < places_m.size(); ++i) sum_m += glm::distance(places_m[i - 1], places_m[i]);
+    return sum_m;
+  }
+};
+
+template <typename At>
+Path walk(double rate_hz, double for_s, const At& at) {
+  Path path;
+  for (std::size_t i = 0; static_cast<double>(i) <= for_s * rate_hz; ++i) {
+    path.times_s.push_back(100.0 + static_cast<double>(i) / rate_hz);
+    path.places_m.push_back(at(static_cast<double>(i) / rate_hz));
+  }
+  return path;
+}
+
+TEST(PathLength, OfACircleIsItsCircumferenceAtAnyRate) {
+  const auto circle = [](double t_s) {
+    const double angle = 2.0 * std::numbers::pi * 0.2 * t_s;
+    return Vec3(std::cos(angle), 1.7, std::sin(angle));
+  };
+  for (const double rate_hz : {30.0, 60.0, 72.0, 90.0}) {
+    const double length_m = walk(rate_hz, 60.0, circle).length_m();
+    EXPECT_NEAR(length_m, 12.0 * 2.0 * std::numbers::pi, 0.4) << rate_hz;
+  }
+}
+
+TEST(PathLength, OfAStraightWalkIsTheDistance) {
+  EXPECT_NEAR(walk(60.0, 20.0, [](double t_s) { return Vec3(0.8 * t_s, 1.7, -0.3 * t_s); }).length_m(),
+              20.0 * std::hypot(0.8, 0.3), 0.05);
+  EXPECT_EQ(walk(60.0, 20.0, [](double) { return Vec3(1.0, 2.0, 3.0); }).length_m(), 0.0);
+  EXPECT_EQ(pathLength_m({}, {}), 0.0);
+}
+
+TEST(PathLength, ANoiseOfThreeTenthsOfAMillimetreIsUnderFiveCentimetresAMinute) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 0.3e-3 / std::numbers::sqrt3);  // 0.3 mm in all
+    const Path path = walk(60.0, 60.0, [&](double) {
+      const double x = noise(random), y = noise(random), z = noise(random);
+      return Vec3(x, 1.7 + y, z);
+    });
+    EXPECT_LT(path.length_m(), 0.05) << "seed " << seed;
+    EXPECT_GT(path.rawLength_m(), 1.0) << "seed " << seed;
+  }
+}
+
+TEST(Masked, HidesAddressesAndLongNumbersAlone) {
+  EXPECT_EQ(masked("write anna@example.org now"), "write [masked] now");
+  EXPECT_EQ(masked("call +49 (171) 23-45 67 or 123456"), "call [masked] or [masked]");
+  EXPECT_EQ(masked("it took 12345 s at 0.96 c, gamma 3.57"), "it took 12345 s at 0.96 c, gamma 3.57");
+  EXPECT_EQ(masked(""), "");
+}
+
+TEST(StudyCsv, RefusesRowsThatAreNotThoseOfTheCodebook) {
+  StudyCsv file("study.csv");
+  file.add({{"key", "a"}, {"value", "b, \"c\""}});
+  EXPECT_EQ(file.text(), "key,value\na,\"b, \"\"c\"\"\"\n");
+  EXPECT_THROW(file.add({{"key", "a"}}), std::logic_error);
+  EXPECT_THROW(file.add({{"key", "a"}, {"values", "b"}}), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,378 @@
+"""study_session.py CAROM CONFIG OUT: see study_session.sh."""
+
+import contextlib
+import csv
+import html.parser
+import json
+import math
+import pathlib
+import re
+import shutil
+import signal
+import socket
+import sqlite3
+import subprocess
+import sys
+import time
+import tomllib
+import urllib.error
+import urllib.parse
+import urllib.request
+
+carom, config, out = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+PEOPLE, LESSONS = 12, ["light-clock", "seen-at-once"]
+STUDY = f"""title = "Twelve"
+seed = 3
+participants = {PEOPLE}
+lessons = {json.dumps(LESSONS)}
+reasons = true
+gender = true
+primary = "gain between arms"
+keep_until = 2030-01-01
+[[arm]]
+name = "moving"
+rig = "room.toml"
+[[arm]]
+name = "still"
+rig = "room.toml"
+head = "still"
+switches_off = ["aberration"]
+views_off = ["events"]
+"""
+study, session, slips = out / "study.toml", out / "day.db", out / "slips.csv"
+study.write_text(STUDY)
+bank = tomllib.loads((config / "studies/items.toml").read_text())["item"]
+
+
+def run(*words, status=0):
+    ended = subprocess.run([carom, *map(str, words)], capture_output=True, text=True)
+    assert ended.returncode == status, f"{words}: {ended.returncode} {ended.stdout} {ended.stderr}"
+    return ended.stdout + ended.stderr
+
+
+def query(sql, *values, file=session):
+    with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True, timeout=10)) as database:
+        return database.execute(sql, values).fetchall()
+
+
+class Page(html.parser.HTMLParser):
+    """The fields of a page's form, and its words."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.text, self.hidden, self.radios = text, {}, {}
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        of = dict(attributes)
+        if tag == "input" and of.get("type") == "hidden":
+            self.hidden[of["name"]] = of["value"]
+        if tag == "input" and of.get("type") == "radio":
+            self.radios.setdefault(of["name"], []).append(of["value"])
+
+
+class Session:
+    def __init__(self, *options):
+        self.process = subprocess.Popen(
+            [carom, "cave", *([] if "--resume" in options else ["--rig", out / "room.toml"]), "--silent", "--no-window", "--session", session, "--study", study, "--slips", slips, "--lesson", "shows",
+             "--class-address", "127.0.0.1", "--class-port", "0", *options], stdout=subprocess.PIPE, stderr=open(out / "stderr", "a"), text=True)
+        line = self.process.stdout.readline()
+        found = re.fullmatch(r"study: (http://127\.0\.0\.1:\d+/study)\n", line)
+        assert found, f"the line of the study: {line!r}"
+        self.address = found[1]
+
+    def end(self):
+        self.process.send_signal(signal.SIGTERM)
+        assert self.process.wait(60) == 0
+
+    def send(self, page, **fields):
+        body = urllib.parse.urlencode({**(page.hidden if page else {}), **fields}).encode()
+        with urllib.request.urlopen(self.address, body, timeout=30) as answer:
+            assert answer.headers["Cache-Control"] == "no-store" and "default-src 'none'" in answer.headers["Content-Security-Policy"]
+            return Page(answer.read().decode())
+
+
+def items_of(form):
+    return [item for item in bank if item["form"] == form]
+
+
+def choose(item, number, place, phase):
+    """What participant `number` answers: after the lessons they know more."""
+    key = next(a["id"] for a in item["answer"] if a.get("right"))
+    wrong = [a["id"] for a in item["answer"] if not a.get("right")]
+    if (number + place) % 7 == 0:
+        return "dont-know"
+    return key if (number * 5 + place) % 10 < (3 if phase == "pre" else 7) else wrong[(number + place) % len(wrong)]
+
+
+REASON = "Write to anna.b@example.org or 0171 / 23 45-678, I am 17"
+
+
+def take_test(room, page, person, number, phase):
+    for place, item in enumerate(items_of(person["forms"][{"pre": 0, "post": 1, "delayed": 2}[phase]])):
+        assert f"Question {place + 1} of 18" in page.text, page.text
+        assert page.radios["answer"] == [a["id"] for a in item["answer"]] + ["dont-know"]
+        page = room.send(page, go="next", answer=choose(item, number, place, phase), confidence=1 + (number + place) % 4,
+                         reason=REASON if place == 0 else "")
+    assert "You have answered all questions" in page.text, page.text
+    return room.send(page, go="next")
+
+
+def wait_for(what, test, for_s=60):
+    until = time.monotonic() + for_s
+    while not test():
+        assert time.monotonic() < until, f"{what} has not come"
+        time.sleep(0.05)
+
+
+def take_part(room, code, person):
+    number = person["number"]
+    page = room.send(None, go="code", code=code.lower())
+    assert "Before you begin" in page.text, page.text
+    page = room.send(page, go="next", part="yes", **({"paths": "yes"} if number % 3 == 0 else {}))
+    page = room.send(page, go="next", age_band="18-24", physics_years="1-2", relativity="read", games_hours="0", language="English", gender="woman")
+    page = take_test(room, page, person, number, "pre")
+    if number == PEOPLE:
+        assert "You have stopped" in room.send(page, go="stop").text
+        return
+    page = room.send(page, go="next", **{"unwell-before": "1"})
+    for place, lesson in enumerate(person["lessons"]):
+        assert f"Lesson {place + 1} of {len(LESSONS)}" in page.text, page.text
+        wait_for(f"lesson {lesson} of {code}", lambda: query("SELECT 1 FROM participation WHERE code = ? AND lesson = ?", code, lesson))
+        first = query("SELECT first_frame FROM participation WHERE code = ? AND lesson = ?", code, lesson)[0][0]
+        wait_for("a second of it", lambda: (query("SELECT max(display_s) - min(display_s) FROM frame WHERE number >= ?", first)[0][0] or 0) > 0.5)
+        page = room.send(page, go="next")
+    page = take_test(room, page, person, number, "post")
+    page = room.send(page, go="next", **{"unwell-after": "2", "hard": "4", "there": "7"})
+    assert "For today this was all" in page.text, page.text
+
+
+def rows_of(folder, name):
+    with open(folder / name, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def check_codebook(folder):
+    book = rows_of(folder, "codebook.csv")
+    assert list(book[0]) == ["file", "name", "type", "unit", "meaning", "allowed"]
+    for name in sorted({row["file"] for row in book}):
+        columns = [row for row in book if row["file"] == name]
+        with open(folder / name, newline="") as file:
+            header, *rows = csv.reader(file)
+        assert header == [column["name"] for column in columns], f"{name}: {header}"
+        for row in rows:
+            assert len(row) == len(columns), f"{name}: {row}"
+            for value, column in zip(row, columns):
+                where = f"{name}, {column['name']}: {value!r}"
+                if value and column["type"] == "integer":
+                    int(value)
+                if value and column["type"] == "number":
+                    assert math.isfinite(float(value)), where
+                choices = column["allowed"].split("|")
+                if len(choices) > 1 and all(re.fullmatch(r"[\w-]*", choice) for choice in choices):
+                    assert value in choices, f"{where}, allowed {choices}"
+    written = {path.name for path in folder.iterdir() if path.suffix == ".csv"}
+    assert written == {row["file"] for row in book} | {"codebook.csv"}, written
+
+
+def smooth_path(times, places):
+    """The path, by another low-pass than the program's: a Gaussian window whose gain at 2 Hz is a half."""
+    sigma = math.sqrt(math.log(2) / 2) / math.pi / 2
+    count = int((times[-1] - times[0]) * 60) + 1
+    even, at = [], 0
+    for k in range(count):
+        t = times[0] + k / 60
+        while at + 2 < len(times) and times[at + 1] <= t:
+            at += 1
+        share = min(1, max(0, (t - times[at]) / max(1e-9, times[at + 1] - times[at])))
+        even.append([a + share * (b - a) for a, b in zip(places[at], places[at + 1])])
+    reach = int(4 * sigma * 60)
+    weights = [math.exp(-((k / 60 / sigma) ** 2) / 2) for k in range(-reach, reach + 1)]
+    even = [[2 * a - b for a, b in zip(even[0], even[k])] for k in range(reach, 0, -1)] + even + [[2 * a - b for a, b in zip(even[-1], even[-1 - k])] for k in range(1, reach + 1)]
+    smooth = [[sum(w * even[i + k][axis] for k, w in enumerate(weights)) / sum(weights) for axis in range(3)] for i in range(count)]
+    return sum(math.dist(a, b) for a, b in zip(smooth, smooth[1:]))
+
+
+def check_behaviour(folder, arms):
+    rows = rows_of(folder, "behaviour.csv")
+    assert len(rows) == (PEOPLE - 1) * len(LESSONS), len(rows)
+    for row in rows:
+        first = query("SELECT first_frame FROM participation WHERE code = ? AND lesson = ?", row["participant"], row["lesson"])[0][0]
+        end = query("SELECT coalesce(min(first_frame), 1e18) FROM game WHERE first_frame > ?", first)[0][0]
+        frames = query("SELECT f.display_s, v.room_x_m, v.room_y_m, v.room_z_m, v.celerity_x_m_s, v.celerity_y_m_s, v.celerity_z_m_s, f.light_speed_m_s, "
+                       "f.lesson_phase, f.switches, f.views, f.blank FROM frame f JOIN viewer v ON v.frame = f.number WHERE f.number >= ? AND f.number < ? ORDER BY f.number", first, end)
+        times = [frame[0] for frame in frames]
+        length = smooth_path(times, [frame[1:4] for frame in frames])
+        assert abs(float(row["path_m"]) - length) <= 0.05 * length + 0.005, f"{row}: {length}"
+        beta = [u / math.sqrt(1 + u * u) for u in (math.hypot(*frame[4:7]) / frame[7] for frame in frames)]
+        mean = sum(b * (t - s) for b, s, t in zip(beta[1:], times, times[1:])) / (times[-1] - times[0])
+        assert abs(float(row["beta_mean"]) - mean) < 1e-5 and abs(float(row["beta_most"]) - max(beta)) < 1e-5, f"{row}: {mean}"
+        asked = sum(t - s for frame, s, t in zip(frames[1:], times, times[1:]) if frame[8] == 1)
+        assert abs(float(row["ask_s"]) - asked) < 1e-4, f"{row}: {asked}"
+        still = arms[row["participant"]] == "still"
+        if still:
+            assert len({frame[1:4] for frame in frames}) == 1 and float(row["path_m"]) < 1e-9, "a still head moved"
+            assert all(frame[9] & 4 == 0 and frame[10] & 8 == 0 for frame in frames[2:]), "what the arm leaves out was on"
+        else:
+            assert length > 0.01, "the simulated head stood"
+            assert any(frame[9] & 4 for frame in frames), "aberration was off in the other arm"
+        assert not any(frame[11] for frame in frames[5:]), "the walls were black in a lesson"
+
+
+def check_responses(folder, plan, codes):
+    rows = rows_of(folder, "responses.csv")
+    tests = [row for row in rows if row["phase"] in ("pre", "post")]
+    assert len(tests) == PEOPLE * 2 * 18 and len(rows) == len(tests) + (PEOPLE - 1) * 4, (len(tests), len(rows))
+    for person in plan:
+        code = codes[person["number"]]
+        for phase, form in zip(("pre", "post"), person["forms"]):
+            mine = [row for row in tests if row["participant"] == code and row["phase"] == phase]
+            for place, (row, item) in enumerate(zip(mine, items_of(form), strict=True)):
+                assert (row["form"], row["item"], row["concept"], row["position"]) == (form, item["id"], item["concept"], str(place + 1)), row
+                assert (row["study"], row["arm"], row["order_row"]) == ("Twelve", person["arm"], str(person["order_row"])), row
+                if person["number"] == PEOPLE and phase == "post":
+                    assert row["answer"] == row["correct"] == row["confidence"] == "", row
+                    continue
+                given = choose(item, person["number"], place, phase)
+                answer = next((a for a in item["answer"] if a["id"] == given), {})
+                assert row["answer"] == given and row["correct"] == ("1" if answer.get("right") else "0"), row
+                assert row["misconception"] == answer.get("misconception", "") and row["confidence"] == str(1 + (person["number"] + place) % 4), row
+                assert row["reason"] == ("Write to [masked] or [masked], I am 17" if place == 0 else ""), row
+    people = rows_of(folder, "participants.csv")
+    assert [row["participant"] for row in people] == [codes[n] for n in range(1, PEOPLE + 1)]
+    for row, person in zip(people, plan, strict=True):
+        assert row["forms"] == "".join(person["forms"]) and row["gender"] == "woman" and row["age_band"] == "18-24", row
+        assert row["started_utc"] == time.strftime("%Y-%m-%d", time.gmtime()) and row["excluded"] == ("stopped" if person["number"] == PEOPLE else ""), row
+
+
+def check_anonymous(folder):
+    words = [socket.gethostname(), str(out), "/root", "/home", "127.0.0.1", "anna", "example.org", "0171 /", "day.db", "room.toml"]
+    for path in folder.rglob("*"):
+        if path.is_file():
+            text = path.read_text()
+            for word in words:
+                assert word not in text, f"{path} has {word}"
+            assert not re.search(r"\b\d\d:\d\d\b|T\d\d:|\d{1,3}\.\d{1,3}\.\d{1,3}\.\d{1,3}", text), f"{path} has a time of day or an address"
+
+
+def others(code):
+    """All rows of the other participants and of their games."""
+    games = [row[0] for row in query("SELECT first_frame FROM participation WHERE code != ? ORDER BY 1", code)]
+    rows = {table: query(f"SELECT * FROM {table} WHERE code != ? ORDER BY 1, 2, 3", code) for table in ("participant", "response", "response_change", "participation")}
+    ends = [query("SELECT coalesce(min(first_frame), 1e18) FROM game WHERE first_frame > ?", game)[0][0] for game in games]
+    rows["frames"] = [query("SELECT * FROM frame WHERE number >= ? AND number < ?", first, end) for first, end in zip(games, ends)]
+    rows["viewers"] = [query("SELECT * FROM viewer WHERE frame >= ? AND frame < ?", first, end) for first, end in zip(games, ends)]
+    rows["knots"] = [query("SELECT * FROM knot WHERE frame >= ? AND frame < ? ORDER BY 1, 2, 3", first, end) for first, end in zip(games, ends)]
+    spans = [(frames[0], frames[-1]) for frames in rows["frames"]]
+    return games, rows, spans
+
+
+def pictures(number, name):
+    run("replay", session, "--game", number, "--capture", out / name)
+    return {path.name: path.read_bytes() for path in sorted((out / name).glob("*.png"))[::7]}
+
+
+plan = json.loads(run("study", "plan", study, "--json", "-"))["participants"]
+run("study", "codes", study, "-o", slips, "--html", out / "slips.html")
+assert "is there already" in run("study", "codes", study, "-o", slips, status=1)
+with open(slips, newline="") as file:
+    codes = {int(row["number"]): row["code"] for row in csv.DictReader(file)}
+assert len(set(codes.values())) == PEOPLE and all(code in (out / "slips.html").read_text() for code in codes.values())
+
+room = Session()
+assert subprocess.run([carom, "study", "delete", codes[1], session], capture_output=True).returncode == 1, "deleted while it runs"
+for place in "/socket", "/class.js", "/teacher":
+    try:
+        urllib.request.urlopen(room.address.removesuffix("/study") + place, timeout=10)
+        raise AssertionError(f"{place} is there")
+    except urllib.error.HTTPError as error:
+        assert error.code == 404
+try:
+    urllib.request.urlopen(urllib.request.Request(room.address, b"go=code&code=x", {"Origin": "http://evil.example"}), timeout=10)
+    raise AssertionError("a form of another page was taken")
+except urllib.error.HTTPError as error:
+    assert error.code == 403
+for person in plan[:6]:
+    take_part(room, codes[person["number"]], person)
+room.end()
+
+# A study that was changed meanwhile is refused; the same goes on in the same file.
+words = [carom, "cave", "--silent", "--no-window", "--session", session, "--resume", "--study", study, "--slips", slips, "--class-address", "127.0.0.1", "--class-port", "0"]
+study.write_text(STUDY + "# changed\n")
+refused = subprocess.run(words, capture_output=True, text=True, timeout=60)
+assert refused.returncode == 1 and "expected the same study, or --amended" in refused.stderr, refused
+study.write_text(STUDY)
+room = Session("--resume")
+assert "This code was used" in room.send(None, go="code", code=codes[1]).text
+for person in plan[6:]:
+    take_part(room, codes[person["number"]], person)
+room.end()
+assert query("SELECT count(*) FROM participant")[0][0] == PEOPLE
+
+# The export.
+data = out / "data"
+run("study", "export", session, "-o", data)
+assert "is there already" in run("study", "export", session, "-o", data, status=1)
+check_codebook(data)
+check_responses(data, plan, codes)
+arms = {codes[person["number"]]: person["arm"] for person in plan}
+check_behaviour(data, arms)
+check_anonymous(data)
+assert not (data / "motion").exists()
+assert "--consented" in run("study", "export", session, "-o", out / "no", "--motion", status=2)
+run("study", "export", session, "-o", out / "with", "--motion", "--consented")
+ticked = {f"sub-{codes[n]}" for n in range(1, PEOPLE) if n % 3 == 0}
+assert {path.name for path in (out / "with/motion").iterdir()} == ticked
+check_anonymous(out / "with")
+motion = next((out / "with/motion").rglob("*_motion.tsv"))
+rows = [line.split("\t") for line in motion.read_text().splitlines()]
+channels = motion.with_name(motion.name.replace("_motion.tsv", "_channels.tsv")).read_text().splitlines()
+assert len(rows) > 30 and all(len(row) == len(channels) - 1 for row in rows) and -0.1 < float(rows[0][0]) < 1
+
+# Somebody withdraws.
+code, number = codes[3], 3
+games, before, spans = others(code)
+all_games = [row[0] for row in query("SELECT first_frame FROM game WHERE EXISTS (SELECT 1 FROM frame WHERE number >= game.first_frame AND number < coalesce((SELECT min(first_frame) FROM game g WHERE g.first_frame > game.first_frame), 1e18)) ORDER BY 1")]
+seen = pictures(all_games.index(games[-1]) + 1, "seen")
+assert seen
+said = run("study", "delete", code, session, data, out / "with")
+assert "1 participant withdrew" in said, said
+for path in [session, *out.glob("day.db-*"), *data.rglob("*"), *(out / "with").rglob("*")]:
+    assert code not in path.name, path
+    if path.is_file():
+        content = path.read_bytes()
+        for form in (code.encode(), code.lower().encode(), code.encode("utf-16-le"), code.encode("utf-16-be")):
+            assert form not in content, f"{path} still has the code"
+after_games, after, _ = others(code)
+assert after_games == games and after == before, "rows of others have changed"
+left = [row[0] for row in query("SELECT first_frame FROM game WHERE EXISTS (SELECT 1 FROM frame WHERE number >= game.first_frame AND number < coalesce((SELECT min(first_frame) FROM game g WHERE g.first_frame > game.first_frame), 1e18)) ORDER BY 1")]
+assert pictures(left.index(games[-1]) + 1, "again") == seen, "the replay of others differs"
+assert query("SELECT value FROM session WHERE key = 'study_withdrew'")[0][0] == 1
+run("study", "export", session, "-o", out / "rest")
+for folder in out / "rest", data:
+    assert {row["key"]: row["value"] for row in rows_of(folder, "study.csv")}["withdrew"] == "1"
+    assert len(rows_of(folder, "participants.csv")) == PEOPLE - 1
+assert "has data of this code" in run("study", "delete", code, session, status=1)
+assert "is no code" in run("study", "delete", "AAAAAB", session, status=1)
+if shutil.which("Rscript"):
+    if subprocess.run(["Rscript", "-e", "quit(status = if (requireNamespace('lme4', quietly = TRUE)) 0 else 1)"], capture_output=True).returncode == 0:
+        run("study", "report", out / "rest")
+        report = (out / "rest/report.html").read_text()
+        assert "Description only" in report and "1 withdrew" in report and "Left out by rule" in report
+empty = subprocess.run([carom, "study", "report", out / "rest"], capture_output=True, text=True, env={"PATH": "/nowhere"})
+assert empty.returncode == 1 and "r-base-core" in empty.stderr and "r-cran-lme4" in empty.stderr, empty
+
+# Sessions of two studies do not go together; one without a study has none of its tables.
+other = out / "other.db"
+shutil.copy(session, other)
+with sqlite3.connect(other) as database:
+    text = database.execute("SELECT value FROM session WHERE key = 'study'").fetchone()[0]
+    database.execute("UPDATE session SET value = ? WHERE key = 'study'", (text + "# another\n",))
+database.close()
+assert "of another study" in run("study", "export", session, other, "-o", out / "both", status=1)
+plain = out / "plain.db"
+run("cave", "--rig", out / "room.toml", "--frames", "5", "--no-window", "--silent", "--session", plain)
+tables = {row[0] for row in query("SELECT name FROM sqlite_master", file=plain)}
+assert not tables & {"participant", "response", "response_change", "participation"}, tables
+assert "there is no study in this file" in run("study", "export", plain, "-o", out / "none", status=1)
+print(f"{PEOPLE} people, {len(games)} lessons of others")

@@ -1,0 +1,214 @@
+// Studies and item banks: what they may say, and the faults of those that are wrong.
+#include "app/study/study.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "app/files/input_file.h"
+#include "app/study/item_bank.h"
+#include "app/temporary_folder.h"
+
+namespace carom {
+namespace {
+
+using test::TemporaryFolder;
+
+/// Returns all faults that reading the file throws, one a line, without the folder.
+template <typename Read>
+std::string faultsOf(const TemporaryFolder& folder, const Read& read) {
+  try {
+    read();
+  } catch (const InputErrors& errors) {
+    std::string all;
+    for (const InputError& fault : errors.faults()) all += std::string(fault.what()) + "\n";
+    const std::string path = (folder / "").string();
+    for (std::size_t at = 0; (at = all.find(path)) != std::string::npos;) all.erase(at, path.size());
+    return all;
+  }
+  return {};
+}
+
+std::string studyText(const std::string& more = "", const std::string& arms = "") {
+  return "title = \"T\"\nseed = 1\nparticipants = 24\nlessons = [\"light-clock\", \"twins\"]\n" + more +
+         (arms.empty() ? "[[arm]]\nname = \"a\"\nrig = \"desk\"\n[[arm]]\nname = \"b\"\nrig = \"desk\"\n"
+                         "head = \"still\"\nswitches_off = [\"aberration\"]\nviews_off = [\"paths\"]\n"
+                       : arms);
+}
+
+std::string faultsOfStudy(const std::string& text) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("study.toml", text);
+  return faultsOf(folder, [&] { readStudy(file); });
+}
+
+/// An item with one key.
+std::string item(const std::string& id, const std::string& asks, const std::string& form,
+                 const std::string& answers =
+                     "[[item.answer]]\nid = \"a\"\ntext = \"A\"\nright = true\n"
+                     "[[item.answer]]\nid = \"b\"\ntext = \"B\"\n"
+                     "misconception = \"m\"\n") {
+  return "[[item]]\nid = \"" + id + "\"\nconcept = \"" + asks + "\"\nform = \"" + form +
+         "\"\nquestion = \"Q\"\n" + answers;
+}
+
+std::string wholeBank() { return item("i", "k", "A") + item("i", "k", "B") + item("i", "k", "C"); }
+
+std::string faultsOfBank(const std::string& text) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("bank.toml", text);
+  return faultsOf(folder, [&] { readItemBank(file); });
+}
+
+#define EXPECT_SAYS(said, words) EXPECT_NE((said).find(words), std::string::npos) << (said)
+
+TEST(Study, TheShippedOnesAreWithoutFault) {
+  for (const char* name : {"walking-or-standing", "before-and-after"}) {
+    const Study study = readStudy(std::string(CAROM_CONFIG_DIR "/studies/") + name + ".toml");
+    EXPECT_TRUE(study.odd.empty()) << study.odd[0].text;
+    EXPECT_TRUE(study.bank.odd.empty()) << study.bank.odd[0].text;
+    EXPECT_EQ(study.bank.items.size(), 54U);
+    EXPECT_EQ(study.lessons.size(), 4U);
+    EXPECT_FALSE(study.primary.empty());
+    EXPECT_TRUE(study.keepUntil.has_value());
+  }
+  const Study two = readStudy(CAROM_CONFIG_DIR "/studies/walking-or-standing.toml");
+  ASSERT_EQ(two.arms.size(), 2U);
+  EXPECT_FALSE(two.arms[0].isStill);
+  EXPECT_TRUE(two.arms[1].isStill);
+  EXPECT_EQ(*two.keepUntil, std::chrono::year(2031) / 12 / 31);
+}
+
+TEST(Study, ReadsEveryKeyAndRestoresItFromItsText) {
+  const TemporaryFolder folder;
+  folder.file("own.toml", wholeBank());
+  folder.file("consent.md", "# Consent\n");
+  const std::string text = studyText(
+      "orders = \"fixed\"\nforms = \"fixed\"\nitems = \"own.toml\"\nprimary = \"p\"\ngender = true\n"
+      "reasons = true\nopen = true\nkeep_until = 2030-02-28\nconsent = \"consent.md\"\n");
+  const Study read = readStudy(folder.file("study.toml", text));
+  const Study kept = keptStudy(text, wholeBank());
+  for (const Study* study : {&read, &kept}) {
+    EXPECT_EQ(study->title, "T");
+    EXPECT_EQ(study->seed, 1U);
+    EXPECT_EQ(study->participants, 24U);
+    EXPECT_TRUE(study->hasFixedOrder && study->hasFixedForms && study->asksGender && study->asksReasons &&
+                study->isOpen);
+    EXPECT_EQ(study->primary, "p");
+    EXPECT_EQ(*study->keepUntil, std::chrono::year(2030) / 2 / 28);
+    EXPECT_EQ(study->bank.items.size(), 3U);
+    EXPECT_EQ(study->lessons[1].name, "twins");
+    ASSERT_EQ(study->arms.size(), 2U);
+    EXPECT_EQ(study->arms[1].switchesOff, std::vector<std::string>{"aberration"});
+    EXPECT_EQ(study->arms[1].viewsOff, std::vector<std::string>{"paths"});
+    EXPECT_EQ(study->sha256, read.sha256);
+    EXPECT_EQ(orderRows(*study), 1U);
+  }
+  EXPECT_EQ(read.lessons[0].scenario.filename(), "light-clock.toml");
+  EXPECT_EQ(read.arms[0].rig.filename(), "desk.toml");
+}
+
+TEST(Study, TheHashIsThatOfTheStandard) {
+  // FIPS 180-4, examples: "abc", and a message of two blocks.
+  EXPECT_EQ(sha256Of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256Of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+}
+
+TEST(Study, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(faultsOfStudy(studyText()), "");
+  EXPECT_SAYS(faultsOfStudy(studyText("sede = 2\n")), "study.toml:5:1: unknown key 'sede'");
+  EXPECT_SAYS(faultsOfStudy(studyText("", "[[arm]]\nname = \"a\"\n")), "study.toml:5:1: rig is missing here");
+  EXPECT_SAYS(
+      faultsOfStudy(studyText("", "[[arm]]\nname = \"a\"\nrig = \"deks\"\n")),
+      "study.toml:7:7: rig: there is no 'deks', expected a file beside the study or one of the folder "
+      "rigs, such as 'desk'?");
+  EXPECT_SAYS(faultsOfStudy(studyText("", "arm = []\n")), "expected one [[arm]] at least");
+  EXPECT_SAYS(faultsOfStudy(studyText("",
+                                      "[[arm]]\nname = \"a\"\nrig = \"desk\"\n[[arm]]\nname = \"a\"\n"
+                                      "rig = \"desk\"\n")),
+              "study.toml:9:8: two arms are 'a'");
+  EXPECT_SAYS(faultsOfStudy(studyText("",
+                                      "[[arm]]\nname = \"a\"\nrig = \"desk\"\nswitches_off = "
+                                      "[\"gravity\"]\n")),
+              "study.toml:8:17: 'gravity' is none that there is");
+  EXPECT_SAYS(faultsOfStudy(studyText("", "[[arm]]\nname = \"a\"\nrig = \"desk\"\nhead = \"lost\"\n")),
+              "head is 'lost', expected 'tracked' or 'still'");
+  EXPECT_SAYS(faultsOfStudy(studyText("keep_until = \"2031-12-31\"\n")), "expected a date without quotes");
+  EXPECT_SAYS(faultsOfStudy(studyText("consent = \"gone.md\"\n")), "consent: there is no 'gone.md'");
+  EXPECT_SAYS(faultsOfStudy(studyText("items = \"/etc/passwd\"\n")), "outside");
+  EXPECT_SAYS(faultsOfStudy("title = \"T\"\nseed = 1\nparticipants = 24\nlessons = [\"twinz\", \"table\", "
+                            "\"twins\", \"twins\"]\n[[arm]]\nname = \"a\"\nrig = \"desk\"\n"),
+              "study.toml:4:12: lessons: there is no 'twinz', expected a file beside the study or one of the "
+              "folder scenarios, such as 'twins'?\nstudy.toml:4:21: 'table' is a game without a lesson, "
+              "expected a lesson\nstudy.toml:4:39: the lesson 'twins' stands here twice");
+  EXPECT_SAYS(faultsOfStudy(studyText("seed = -1\n")), "study.toml");
+  EXPECT_SAYS(faultsOfStudy("title = \"T\"\nseed = 1.5\nparticipants = 0\nlessons = []\n[[arm]]\nname = "
+                            "\"a\"\nrig = \"desk\"\n"),
+              "participants is 0, expected a whole number from 1");
+}
+
+TEST(Study, ABankThatCannotBeUsedIsSaidAtItsKey) {
+  const TemporaryFolder folder;
+  folder.file("own.toml", item("i", "k", "A") + item("i", "k", "B"));
+  const auto file = folder.file("study.toml", studyText("items = \"own.toml\"\n"));
+  EXPECT_SAYS(
+      faultsOf(folder, [&] { readStudy(file); }),
+      "study.toml:5:9: this item bank cannot be used: own.toml:1:1: form C has no item of the concept "
+      "k");
+}
+
+TEST(Study, TellsOfTooFewPeopleForTheRows) {
+  const TemporaryFolder folder;
+  const std::string text =
+      "title = \"T\"\nseed = 1\nparticipants = 19\nlessons = [\"light-clock\", \"twins\", \"solid\", "
+      "\"two-cushions\", \"seen-at-once\"]\n[[arm]]\nname = \"a\"\nrig = \"desk\"\n[[arm]]\nname = \"b\"\n"
+      "rig = \"desk\"\n";
+  const Study study = readStudy(folder.file("study.toml", text));
+  EXPECT_EQ(orderRows(study), 10U);
+  ASSERT_EQ(study.odd.size(), 1U);
+  EXPECT_SAYS(study.odd[0].text, "too few participants for the rows: 9 in an arm, expected at least 10");
+}
+
+TEST(ItemBank, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(faultsOfBank(wholeBank()), "");
+  const std::string answer = "[[item.answer]]\nid = \"a\"\ntext = \"A\"\n";
+  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "k", "A",
+                                              answer + "[[item.answer]]\nid = \"b\"\ntext = "
+                                                       "\"B\"\n")),
+              "item j of form A has no key");
+  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "k", "A",
+                                              answer + "right = true\n[[item.answer]]\nid = \"b\"\ntext = "
+                                                       "\"B\"\nright = true\n")),
+              "item j of form A has 2 right answers, expected one");
+  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "k", "A", answer + "right = true\n")),
+              "has 1 answers, expected at least 2");
+  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "k", "A", answer + "right = true\n" + answer)),
+              "has two answers 'a'");
+  EXPECT_SAYS(faultsOfBank(wholeBank() + item("i", "k", "B")), "item i stands twice in form B");
+  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "other", "A") + item("j", "other", "B")),
+              "form C has no item of the concept other");
+  EXPECT_SAYS(faultsOfBank(item("i", "k", "D")), "form is 'D', expected 'A' or 'B' or 'C'");
+  EXPECT_SAYS(faultsOfBank(item("a,b", "k", "A")), "id is 'a,b', expected at most 40 letters");
+  EXPECT_SAYS(faultsOfBank("title = \"none\"\n"), "there is no item here");
+  EXPECT_SAYS(
+      faultsOfBank(
+          item("i", "k", "A", answer + "right = true\n[[item.answer]]\nid = \"dont-know\"\ntext = \"?\"\n")),
+      "'dont-know' is the answer that each item has");
+  EXPECT_SAYS(faultsOfBank(item("i", "k", "A", answer + "right = true\nmisconception = \"m\"\n")),
+              "the right answer has a misconception");
+}
+
+TEST(ItemBank, TellsOfFormsWithOtherAnswers) {
+  const std::string other =
+      "[[item.answer]]\nid = \"a\"\ntext = \"A\"\n[[item.answer]]\nid = \"c\"\ntext = \"C\"\nright = true\n";
+  const TemporaryFolder folder;
+  const ItemBank bank = readItemBank(
+      folder.file("bank.toml", item("i", "k", "A") + item("i", "k", "B", other) + item("i", "k", "C")));
+  ASSERT_EQ(bank.odd.size(), 2U);
+  EXPECT_SAYS(bank.odd[0].text, "the answer 'a' of item i means something else in form B than in form A");
+  EXPECT_SAYS(bank.odd[1].text, "item i has an answer 'c' in form B and none in form A");
+}
+
+}  // namespace
+}  // namespace carom
