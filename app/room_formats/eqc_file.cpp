@@ -69,6 +69,15 @@ std::string hostOf(const Part& node) {
   return host == "localhost" || host == "127.0.0.1" ? "" : host;
 }
 
+/// Returns the X display of a pipe, or nothing where the file names none.
+std::string displayOf(const Part& pipe, Room& room) {
+  constexpr Range kScreen{.least = 0.0, .most = 63.0};
+  const auto port = number(pipe, "port", kScreen, true, room),
+             device = number(pipe, "device", kScreen, true, room);
+  if (!port && !device) return "";
+  return fmt::format(":{}.{}", port.value_or(0.0), device.value_or(0.0));
+}
+
 /// What a compound hands down to those within.
 struct Handed {
   const Part* channel = nullptr;
@@ -283,16 +292,8 @@ class EqcReading {
     wall.wall.name = name.text;
     wall.wall.stereo = stereoOf(eyes, channel);
     place(channel, wall);
-    wall.wall.node = ranks_.of(hostOf(*channel.node), displayOf(*channel.pipe), channel.node->at);
+    wall.wall.node = ranks_.of(hostOf(*channel.node), displayOf(*channel.pipe, room_), channel.node->at);
     addWall(std::move(wall), corners, room_);
-  }
-
-  std::string displayOf(const Part& pipe) {
-    constexpr Range kScreen{.least = 0.0, .most = 63.0};
-    const auto port = number(pipe, "port", kScreen, true, room_),
-               device = number(pipe, "device", kScreen, true, room_);
-    if (!port && !device) return "";
-    return fmt::format(":{}.{}", port.value_or(0.0), device.value_or(0.0));
   }
 
   /// Returns the pixels of a viewport: its numbers are pixels from the top left, or shares where all are at

@@ -88,7 +88,7 @@ class Maker {
                            solidOf(worldTube(body, line, options_.span, widened), frame_)});
   }
 
-  /// Finds the board's rectangle, or one around what is there, and the scale.
+  /// Finds the rectangle of the board, or one around the pucks, and the scale.
   void findBoard() {
     const auto& board = game_.setup.board;
     if (board) {

@@ -19,7 +19,7 @@ enum class SculpturePartKind {
   light,    ///< of a stroke or a flash, from where it enters the plane of the pucks' tops
   base,     ///< the board at the first moment
   frame,    ///< the rods of the board's corners and edges
-  cushion,  ///< a sheet without thickness: of what is shown, not of what is printed
+  cushion,  ///< a sheet without thickness, for screens; printers get none
 };
 
 struct SculpturePart {
@@ -49,7 +49,7 @@ struct SculptureOptions {
   Span span;
   Vec3 beta{0.0};            ///< velocity on the board of the frame in which it is shown, v/c; below 1
   double size_m = 0.15;      ///< of its longest side, with its base; at least a centimetre
-  double leastWall_m = 0.0;  ///< what is thinner is thickened; 0: nothing
+  double leastWall_m = 0.0;  ///< thinner tubes and rods are thickened; 0: none
   bool sheets = true;        ///< with the cushions
 };
 
