@@ -522,6 +522,8 @@ void SoftPlay::setPushes(Cluster& cluster) {
       player.quietSince = cluster.time;
       if (push.begins[i] < kNever) player.body.push(i, push.shares[i] * force);
     }
+    // What is over is never looked at again, and is copied with every snapshot.
+    if (push.isOver) push.shares = push.begins = {};
   }
 }
 
