@@ -250,15 +250,15 @@ class DrawnWords : public testing::Test {
   Image drawn(const std::vector<HudLine>& lines, double textSize = 1.0) {
     graphics_.makeCurrent();
     RenderTarget picture({900, 900});
-    words_.set(lines);
+    HudPanel words;
+    words.set(lines);
     Wall wall = frontOf("front", StereoMode::mono);
     wall.textSize = textSize;
-    words_.draw(wall, picture);
+    words.draw(wall, picture);
     return readBack(picture);
   }
 
   Graphics graphics_;
-  HudPanel words_;
 };
 
 /// The lowest and the highest row of a picture that is lit.
