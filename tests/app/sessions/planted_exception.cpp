@@ -1,5 +1,5 @@
-// Loaded into the program by LD_PRELOAD: once the file exists that CAROM_PLANTED_AT names, the frame loop's next
-// look for keys ends by an exception, as anything in it could.
+// Loaded into the program by LD_PRELOAD: once the file exists that CAROM_PLANTED_AT names, the frame loop's
+// next look for keys ends by an exception, as anything in it could.
 #include <dlfcn.h>
 #include <unistd.h>
 
