@@ -77,10 +77,10 @@ struct Apply {
   bool operator()(const PlayScenario& c) { return !c.file.empty(); }
   bool operator()(const WelcomeNextVisitor&) { return true; }
   bool operator()(const KeepTaskBest& c) {
-    std::vector<double>& best_j = settings.bestOfTask_j;
-    best_j.resize(std::max(best_j.size(), c.task + 1));
-    if (best_j[c.task] > 0.0 && best_j[c.task] <= c.energy_j) return false;
-    return set(best_j[c.task], c.energy_j);
+    const auto [best, isFirst] = settings.bestOfTask_j.try_emplace({settings.playing, c.task}, c.energy_j);
+    if (!isFirst && best->second <= c.energy_j) return false;
+    best->second = c.energy_j;
+    return true;
   }
   bool operator()(const ShowBestShot&) { return true; }
   bool operator()(const TellPerson&) { return true; }

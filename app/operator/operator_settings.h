@@ -4,9 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "app/files/playlist.h"
 #include "cave/record/frame_state.h"
@@ -44,7 +45,8 @@ struct OperatorSettings {
   std::size_t lessonObserver = 0;      ///< the velocity that was chosen
   std::size_t lessonExplainedFor = 0;  ///< the velocity with which it explains
   std::size_t task = 0;                ///< which task of the game, from 0
-  std::vector<double> bestOfTask_j;    ///< least energy with which each was done in this session; 0: not yet
+  /// The least energy with which each task was done in this session, by scenario file and number.
+  std::map<std::pair<std::string, std::size_t>, double> bestOfTask_j;
   ConsoleState console = ConsoleState::none;
   bool keysShown = false;                    ///< the list of keys is drawn over the walls of rank 0
   std::string playing;                       ///< scenario file being played

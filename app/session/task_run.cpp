@@ -41,8 +41,8 @@ void TaskRun::begin(const OperatorSettings& settings, Announcements& announcemen
   judge_.emplace(task, scenario_->billiard.lightSpeed_m_s);
   state_ = State::waits;
   std::string words = fmt::format(texts::task::kText, number_ + 1, scenario_->tasks.size(), task.text);
-  const double best_j = number_ < settings.bestOfTask_j.size() ? settings.bestOfTask_j[number_] : 0.0;
-  if (best_j > 0.0) words += fmt::format(texts::task::kBest, best_j);
+  const auto best = settings.bestOfTask_j.find({settings.playing, number_});
+  if (best != settings.bestOfTask_j.end()) words += fmt::format(texts::task::kBest, best->second);
   announcements.keep(words);
   note("begun", 0, decision);
 }

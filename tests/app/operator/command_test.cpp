@@ -57,10 +57,14 @@ TEST(Command, ChangesOneThingOnceAndSaysWhat) {
 
 TEST(Command, OfATaskTheLeastEnergyIsKept) {
   OperatorSettings settings;
+  settings.playing = "tasks.toml";
   EXPECT_TRUE(apply(KeepTaskBest{1, 0.3}, settings));
   EXPECT_FALSE(apply(KeepTaskBest{1, 0.4}, settings));
   EXPECT_TRUE(apply(KeepTaskBest{1, 0.2}, settings));
-  EXPECT_EQ(settings.bestOfTask_j, (std::vector<double>{0.0, 0.2}));
+  settings.playing = "others.toml";
+  EXPECT_TRUE(apply(KeepTaskBest{1, 0.4}, settings)) << "tasks of another scenario are other tasks";
+  using Best = decltype(settings.bestOfTask_j);
+  EXPECT_EQ(settings.bestOfTask_j, (Best{{{"tasks.toml", 1}, 0.2}, {{"others.toml", 1}, 0.4}}));
 }
 
 TEST(Command, SwitchesOfTheHalvesAreApart) {
