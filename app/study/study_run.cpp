@@ -8,8 +8,10 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/journal/session_games.h"
 #include "app/study/study_code.h"
 #include "engine/base/log.h"
+#include "engine/base/plain_words.h"
 
 namespace carom {
 namespace {
