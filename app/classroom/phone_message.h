@@ -36,7 +36,7 @@ struct PhoneAnswer {
   int round = 0;       ///< 1 or 2
 };
 struct PhoneReason {
-  std::string words;  ///< clean: see cleanWords
+  std::string words;  ///< on one line, at most kMostReasonSigns signs
   int round = 0;
 };
 struct TeacherPin {
@@ -49,10 +49,5 @@ using PhoneMessage = std::variant<PhoneHello, PhoneAnswer, PhoneReason, TeacherP
 
 /// Returns the message, or none if it is not one: too long, not JSON, not UTF-8, with other keys or values.
 std::optional<PhoneMessage> phoneMessageOf(std::string_view bytes);
-
-/// Returns the words of a person without what could change how others see them: control signs, marks of
-/// writing direction, signs without width that begin or divide lines; cut after kMostReasonSigns signs.
-/// `words` must be valid UTF-8.
-std::string cleanWords(std::string_view words);
 
 }  // namespace carom

@@ -15,6 +15,7 @@
 #include "app/files/input_file.h"
 #include "cave/record/effects.h"
 #include "cave/record/time_views.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -66,7 +67,18 @@ void StudyDesk::command(const OperatorSettings& settings, double session_s, Comm
   }
   if (wanted_ && !isAsked_) commands.emplace_back(PlayScenario{fileOf(*wanted_), true});
   isAsked_ = true;
-  if (!played_) return;
+  if (run_->asksUnwell(now_s())) commands.emplace_back(TellPerson{texts::message::kHowUnwell});
+  if (order_) {
+    if (auto said = run_->order(*order_, now_s())) {
+      said_ = *std::move(said);
+      order_.reset();
+    }
+  }
+  if (auto standings = run_->takeStandings()) standings_ = *std::move(standings);
+  if (played_) putOff(settings, commands);
+}
+
+void StudyDesk::putOff(const OperatorSettings& settings, Commands& commands) const {
   const StudyArm& arm = run_->study().arms.at(played_->arm);
   for (const NamedSwitch& row : kNamedSwitches) {
     if (settings.switches.*row.value != 0 && holds(arm.switchesOff, row.name))

@@ -8,6 +8,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/classroom/class_server.h"
 #include "app/operator/command.h"
@@ -35,9 +37,17 @@ class StudyDesk {
   /// Returns the address of the pages.
   std::string address() const;
 
-  /// Adds the commands for the lesson that the study wants, and those that put off again what the arm of the
-  /// participant in the room leaves out.
+  /// Adds the commands for the lesson that the study wants, those that put off again what the arm of the
+  /// participant in the room leaves out, and from time to time the question how they feel.
   void command(const OperatorSettings& settings, double session_s, Commands& commands);
+
+  // For the person at the console.
+  /// Has an order carried out with one of the next frames.
+  void order(StudyOrder order) { order_ = std::move(order); }
+  /// Returns what came of the newest order.
+  const std::string& said() const { return said_; }
+  /// Returns how far everybody is who is not done.
+  const std::vector<StudyStanding>& standings() const { return standings_; }
 
   /// Begins a game. Returns whether it is a lesson of a participant, which is written to the session file;
   /// `begun` is then to be called once it is.
@@ -51,12 +61,16 @@ class StudyDesk {
 
  private:
   std::string fileOf(const RoomWish& wish) const;
+  void putOff(const OperatorSettings& settings, Commands& commands) const;
   StudyDeskOptions options_;
   std::unique_ptr<StudyTables> tables_;
   std::unique_ptr<StudyRun> run_;
   std::unique_ptr<ClassServer> server_;
   std::optional<RoomWish> wanted_, played_;  ///< not played yet; of the present game
   bool isAsked_ = false;                     ///< the wanted one was asked for by a command
+  std::optional<StudyOrder> order_;          ///< not carried out yet
+  std::string said_;
+  std::vector<StudyStanding> standings_;
 };
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 #include "app/commands/cave_session.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,12 +9,14 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "app/classroom/class_address.h"
 #include "app/classroom/class_desk.h"
 #include "app/classroom/study_desk.h"
 #include "app/commands/session_frames.h"
+#include "app/files/config_folder.h"
 #include "app/files/rig_viewers.h"
 #include "app/journal/session_file.h"
 #include "app/journal/session_series.h"
@@ -24,6 +27,7 @@
 #include "app/session/study_listener.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
+#include "app/study/slips.h"
 #include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
 
@@ -480,9 +484,15 @@ int runCave(const CaveOptions& options) {
 
 namespace {
 
-/// The room of a study is that of its first arm, unless another one is asked for.
+/// The room of a study is that of its first arm, unless that of another arm is asked for.
 void chooseRigOfStudy(CaveOptions& options) {
-  if (options.rig.empty() && !options.study.empty()) options.rig = readStudy(options.study).arms.front().rig;
+  if (options.study.empty()) return;
+  const Study study = readStudy(options.study);
+  if (options.rig.empty()) options.rig = study.arms.front().rig;
+  const auto isThis = [&](const StudyArm& arm) { return isSameFile(arm.rig, options.rig); };
+  if (std::any_of(study.arms.begin(), study.arms.end(), isThis)) return;
+  throw std::runtime_error(fmt::format("the rig {} is that of no arm of the study, expected {}",
+                                       options.rig.string(), fmt::join(rigsOf(study), " or ")));
 }
 
 }  // namespace

@@ -28,6 +28,7 @@
 #include "app/nodes/rig_without.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/handover.h"
+#include "app/study/retention.h"
 #include "app/tools/option_values.h"
 #include "cave/audio/sounds.h"
 #include "cave/cluster/cluster.h"
@@ -230,7 +231,11 @@ void lookAtRoom(const Cluster& cluster, const Rig* rig, const DoctorOptions& opt
     if (!options.byMouse) tried(report, [&] { poses_hz = judgeTrackers(*rig, report); });
     if (!options.byMouse) tried(report, [&] { judgeForces(*rig, report); });
   }
-  if (cluster.rank() == 0) judgeDisk(options.folder, rig, poses_hz, report);
+  if (cluster.rank() == 0) {
+    judgeDisk(options.folder, rig, poses_hz, report);
+    for (const std::string& session : overdueSessions(options.folder, todayUtc()))
+      report.warnings.push_back(session);
+  }
   if (rig) judgeLinks(cluster, *rig, report);
 }
 
@@ -366,7 +371,11 @@ void addDoctor(CLI::App& app, int& status) {
   command->add_flag("--no-window", options->noWindow, "Do not judge the displays: nothing is to be shown");
   command->add_flag("--by-mouse", options->byMouse,
                     "Do not judge the trackers: mouse and keys take their place");
-  command->add_option("--folder", options->folder, "Folder of the session files, whose disk is judged")
+  command
+      ->add_option(
+          "--folder", options->folder,
+          "Folder of the session files, whose disk is judged; sessions of studies that are kept for too "
+          "long are named")
       ->type_name("DIR")
       ->capture_default_str();
   addWithoutNodes(*command, options->withoutNodes);

@@ -105,7 +105,7 @@ void SessionFrames::listen(SessionSetup& setup, const LeaderParts& lead, KeysOf 
   }
   if (lead.windows.console) {
     listeners.push_back(&console_.emplace(*lead.windows.console, setup, statistics_, lead.source, lead.leader,
-                                          keys, lead.classroom));
+                                          keys, lead.classroom, lead.study ? &lead.study->desk() : nullptr));
   }
   if (lead.study) listeners.push_back(lead.study);
   if (!setup.realTime) listeners.push_back(&progress_.emplace(lead.source));

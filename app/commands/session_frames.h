@@ -11,6 +11,7 @@
 #include "app/session/session_listeners.h"
 #include "app/session/session_views.h"
 #include "app/session/status_file.h"
+#include "app/session/study_listener.h"
 #include "app/stage/session_setup.h"
 
 namespace carom {
@@ -42,7 +43,7 @@ struct LeaderParts {
   JournalListener* journal;        ///< null if the session is not recorded
   StatusFile* status;              ///< null if there is none
   ClassDesk* classroom = nullptr;  ///< null if no class takes part
-  FrameListener* study = nullptr;  ///< null if there is no study
+  StudyListener* study = nullptr;  ///< null if there is no study
 };
 
 /// Opens the audio output of the system. Returns null in simulated time or if `silent`.

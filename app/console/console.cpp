@@ -41,14 +41,16 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
 }
 
 /// Returns whether the names of all tabs fit in this width.
-bool tabsFitIn(float width_px, bool hasClass) {
+bool tabsFitIn(float width_px, const ConsoleFrame& frame) {
   using namespace texts::console;
   const ImGuiStyle& style = ImGui::GetStyle();
-  for (const char* tab : {kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab})
+  const auto take = [&](const char* tab) {
     width_px -= ImGui::CalcTextSize(tab).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x + 1.0F;
-  if (hasClass)
-    width_px -=
-        ImGui::CalcTextSize(kClassTab).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x + 1.0F;
+  };
+  for (const char* tab : {kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab})
+    take(tab);
+  if (frame.classroom) take(kClassTab);
+  if (frame.study) take(kStudyTab);
   return width_px >= 0.0F;
 }
 
@@ -204,7 +206,7 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
 void Console::drawTabs(const ConsoleFrame& frame) {
   constexpr ImGuiTabBarFlags kListed =
       ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
-  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x, frame.classroom != nullptr);
+  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x, frame);
   if (!ImGui::BeginTabBar("##parts", fits ? ImGuiTabBarFlags_None : kListed)) return;
   const auto tab = [](const char* name, const auto& draw) {
     if (!ImGui::BeginTabItem(name)) return;
@@ -215,6 +217,7 @@ void Console::drawTabs(const ConsoleFrame& frame) {
   };
   // The first, so that its name fits where not all do.
   if (frame.classroom) tab(texts::console::kClassTab, [&] { drawClass(frame); });
+  if (frame.study) tab(texts::console::kStudyTab, [&] { study_.draw(frame); });
   tab(texts::console::kGamesTab, [&] { games_.draw(frame); });
   tab(texts::console::kTrackersTab, [&] { drawTrackers(frame); });
   tab(texts::console::kLatencyTab, [&] { drawLatencyNumbers(frame.latency); });

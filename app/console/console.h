@@ -14,6 +14,7 @@
 #include "app/console/console_games.h"
 #include "app/console/console_parts.h"
 #include "app/console/console_recording.h"
+#include "app/console/console_study.h"
 #include "app/console/console_time.h"
 #include "app/console/console_trackers.h"
 #include "app/console/console_walls.h"
@@ -73,6 +74,7 @@ class Console {
   console::GamesPanel games_;
   console::EventsPanel events_;
   console::RecordingPanel recording_;
+  console::StudyPanel study_;
   console::Playing playing_;
   console::SessionClocks clocks_;
   LiveDiagram diagram_;

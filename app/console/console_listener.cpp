@@ -17,8 +17,8 @@ void ConsoleListener::shown(const Decision& decision) {
     status_ = source_.status();
   }
   console_.show({record, setup_.world, *setup_.walls, statistics_.numbers(record), status_, *setup_.recording,
-                 keys_, leader_.settings(), leader_.following(record.display_s), leader_.inbox(),
-                 classroom_});
+                 keys_, leader_.settings(), leader_.following(record.display_s), leader_.inbox(), classroom_,
+                 study_});
 }
 
 }  // namespace carom

@@ -12,17 +12,19 @@ namespace carom {
 
 class ConsoleListener : public FrameListener {
  public:
-  /// Shows frames in `console`. `classroom` is null if no class takes part. All arguments must
-  /// outlive this object.
+  /// Shows frames in `console`. `classroom` is null if no class takes part, `study` if there is none. All
+  /// arguments must outlive this object.
   ConsoleListener(Console& console, const SessionSetup& setup, FrameStatistics& statistics,
-                  const FrameSource& source, FrameLeader& leader, KeysOf keys, ClassDesk* classroom = nullptr)
+                  const FrameSource& source, FrameLeader& leader, KeysOf keys, ClassDesk* classroom = nullptr,
+                  StudyDesk* study = nullptr)
       : console_(console),
         setup_(setup),
         statistics_(statistics),
         source_(source),
         leader_(leader),
         keys_(keys),
-        classroom_(classroom) {}
+        classroom_(classroom),
+        study_(study) {}
 
   void shown(const Decision& decision) override;
 
@@ -34,6 +36,7 @@ class ConsoleListener : public FrameListener {
   FrameLeader& leader_;
   KeysOf keys_;
   ClassDesk* classroom_;
+  StudyDesk* study_;
   SourceStatus status_;
   double asked_s_ = -1.0;  ///< session clock: when the source was last asked for its status
 };

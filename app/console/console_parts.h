@@ -18,6 +18,8 @@
 
 namespace carom {
 
+class StudyDesk;
+
 /// The frame on the walls, with everything that the console shows about it.
 struct ConsoleFrame {
   const FrameRecord& record;
@@ -31,6 +33,7 @@ struct ConsoleFrame {
   std::optional<Programme::Following> following;  ///< the playlist's next game
   Commands& commands;              ///< the operator's commands, which take effect with the next frame
   ClassDesk* classroom = nullptr;  ///< null if no class takes part
+  StudyDesk* study = nullptr;      ///< null if there is no study
 };
 
 namespace console {

@@ -75,11 +75,6 @@ struct SessionFile::Tables {
                  "SELECT (SELECT min(number) FROM frame WHERE number >= 0), (SELECT max(number) FROM frame)");
     shown.emplace(database, "SELECT number, display_s FROM frame WHERE number >= ? ORDER BY number LIMIT 1");
   }
-  std::string fact(const char* key) {
-    SQLite::Statement row(database, "SELECT value FROM session WHERE key = ?");
-    row.bind(1, key);
-    return row.executeStep() ? row.getColumn(0).getString() : std::string();
-  }
 
   SQLite::Database database;
   std::optional<FrameReader> frames;
@@ -122,30 +117,31 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
       refuse(file, fmt::format("it has {} game{}, expected the number of one of them", games_.size(),
                                games_.size() == 1 ? "" : "s"));
     const SessionGame& chosen = games_[game_ - 1];
+    const auto fact = [&](const std::string& key) { return sessionValue(database, key); };
     const double first_m_s =
         database.execAndGet("SELECT value FROM session WHERE key = 'light_speed_m_s'").getDouble();
     for (const double light_m_s : {chosen.lightSpeed_m_s, first_m_s}) {
       if (light_m_s >= kSmallest && within(kPositive, light_m_s)) continue;
       refuse(file, fmt::format("light_speed_m_s is {}, expected {}", light_m_s, wordsFor(kPositive, false)));
     }
-    facts_ = {tables_->fact("program"), tables_->fact("rig_file"), chosen.scenario,
-              tables_->fact("rig"),     chosen.scenarioText,       chosen.lightSpeed_m_s};
+    facts_ = {fact("program"), fact("rig_file"),    chosen.scenario,
+              fact("rig"),     chosen.scenarioText, chosen.lightSpeed_m_s};
     showOnly(database, chosen);
-    const double textSize = std::strtod(tables_->fact(kKeyOfTextSize).c_str(), nullptr);
+    const double textSize = std::strtod(fact(kKeyOfTextSize).c_str(), nullptr);
     if (textSize > 1.0 && textSize <= 2.0) facts_.textSize = textSize;
     for (const std::size_t axis : {0, 1}) {
       constexpr long kMost = 8192;
-      const std::string pixels = tables_->fact(kKeysOfEyePixels[axis]);
+      const std::string pixels = fact(kKeysOfEyePixels[axis]);
       facts_.eyePixels[axis] =
           static_cast<int>(std::clamp(std::strtol(pixels.c_str(), nullptr, 10), 0L, kMost));
     }
     for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer) {
-      const std::string name = printable(tables_->fact(keyOfViewer(viewer).c_str()));
+      const std::string name = printable(fact(keyOfViewer(viewer)));
       if (name.empty()) break;
       if (viewer == 0) facts_.viewers.clear();
       facts_.viewers.push_back(name);
     }
-    if (!quiet && open && alone && tables_->fact("ended_utc").empty()) {
+    if (!quiet && open && alone && fact("ended_utc").empty()) {
       log::warn(fmt::format(
           "session file {0}: the session was not closed, and {1}, which belongs beside it, is not "
           "there: up to "

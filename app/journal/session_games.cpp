@@ -66,6 +66,12 @@ void add(SQLite::Database& database, const char* firsts, const SessionFacts& fac
 
 }  // namespace
 
+std::string sessionValue(SQLite::Database& session, const std::string& key) {
+  SQLite::Statement row(session, "SELECT value FROM session WHERE key = ?");
+  row.bind(1, key);
+  return row.executeStep() ? row.getColumn(0).getString() : "";
+}
+
 void addFirstGame(SQLite::Database& database, const SessionFacts& facts) {
   database.exec(
       "CREATE TABLE game(first_frame INTEGER PRIMARY KEY, first_event INTEGER, started_utc TEXT, "

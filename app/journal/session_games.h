@@ -1,5 +1,6 @@
 #pragma once
-// The games of a session file, one after the other: its table `game` (app/journal/journal.h).
+// The games of a session file, one after the other, and the values that belong to the whole session: the
+// tables `game` and `session` (app/journal/journal.h).
 
 #include <cstdint>
 #include <filesystem>
@@ -24,6 +25,9 @@ struct SessionGame {
   double from_s = 0.0, to_s = 0.0;  ///< session clock: its first and its last frame
   bool hasFrames = false;
 };
+
+/// Returns a value of the table `session`; empty if it is not there.
+std::string sessionValue(SQLite::Database& session, const std::string& key);
 
 /// Creates the table, with the first game.
 void addFirstGame(SQLite::Database& database, const SessionFacts& facts);

@@ -17,6 +17,8 @@ class StudyListener : public FrameListener {
     study_.command(leader_.settings(), decision.frame.record.display_s, leader_.inbox());
   }
 
+  StudyDesk& desk() { return study_; }
+
  private:
   StudyDesk& study_;
   FrameLeader& leader_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
 
 #include "engine/base/printable.h"
 
@@ -28,32 +27,7 @@ std::string decoded(std::string_view text) {
       plain += text[i] == '+' ? ' ' : text[i];
     }
   }
-  return printable(plain);
-}
-
-/// Returns the number of bytes of the letter with which a text begins, 1 to 4; 0 if it is no UTF-8.
-std::size_t letterBytes(std::string_view text) {
-  const auto first = static_cast<unsigned char>(text[0]);
-  const std::size_t bytes = first < 0x80                    ? 1
-                            : first >= 0xC2 && first < 0xE0 ? 2
-                            : first >= 0xE0 && first < 0xF0 ? 3
-                            : first >= 0xF0 && first < 0xF5 ? 4
-                                                            : 0;
-  if (bytes == 0 || bytes > text.size()) return 0;
-  for (std::size_t i = 1; i < bytes; ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
-  }
-  return bytes;
-}
-
-/// Returns whether a letter marks or changes the direction of reading: U+200E, U+200F, U+202A to U+202E,
-/// U+2066 to U+2069.
-bool changesDirection(std::string_view letter) {
-  if (letter.size() != 3 || letter.substr(0, 2) < "\xE2\x80" || letter.substr(0, 2) > "\xE2\x81")
-    return false;
-  const auto last = static_cast<unsigned char>(letter[2]);
-  if (letter[1] == '\x80') return last == 0x8E || last == 0x8F || (last >= 0xAA && last <= 0xAE);
-  return last >= 0xA6 && last <= 0xA9;
+  return printable(plain, "\t\n\r");
 }
 
 }  // namespace
@@ -81,21 +55,6 @@ int FormFields::number(std::string_view name, int most, int otherwise) const {
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool isWhole = failed == std::errc() && end == text.data() + text.size() && !text.empty();
   return isWhole && value >= 0 && value <= most ? value : otherwise;
-}
-
-std::string plainWords(std::string_view text, std::size_t letters) {
-  std::string words;
-  for (std::size_t count = 0; !text.empty() && count < letters; ++count) {
-    const std::size_t bytes = letterBytes(text);
-    if (bytes == 0) {
-      words += '?';
-      text.remove_prefix(1);
-      continue;
-    }
-    if (!changesDirection(text.substr(0, bytes))) words += text.substr(0, bytes);
-    text.remove_prefix(bytes);
-  }
-  return words;
 }
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 #pragma once
 // What a browser sends of a form (application/x-www-form-urlencoded). It comes from outside: it is bounded,
-// and has no control characters afterwards.
+// and has no
+// control characters afterwards but those of its lines.
 
 #include <cstddef>
 #include <map>
@@ -26,9 +27,5 @@ class FormFields {
  private:
   std::map<std::string, std::string, std::less<>> fields_;
 };
-
-/// Returns the first letters of a text in UTF-8, at most `letters`, without signs that change the direction
-/// of reading. Bytes that are no UTF-8 become '?'.
-std::string plainWords(std::string_view text, std::size_t letters);
 
 }  // namespace carom

@@ -209,6 +209,15 @@ Study keptStudy(const std::string& text, const std::string& bankText) {
   return read("study.toml", text, bankText);
 }
 
+std::vector<std::string> rigsOf(const Study& study) {
+  std::vector<std::string> names;
+  for (const StudyArm& arm : study.arms) {
+    const std::string name = arm.rig.stem().string();
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
 std::size_t orderRows(const Study& study) {
   const std::size_t lessons = study.lessons.size();
   if (study.hasFixedOrder) return 1;

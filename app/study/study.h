@@ -56,6 +56,10 @@ Study readStudy(const std::filesystem::path& file);
 /// the consent page are not looked for. Throws InputErrors.
 Study keptStudy(const std::string& text, const std::string& bankText);
 
+/// Returns the names of the rigs of the arms, each once. People of different ones take part in sessions of
+/// their own.
+std::vector<std::string> rigsOf(const Study& study);
+
 /// Returns the number of orders in which the lessons are played: the rows of the Williams square, or 1.
 std::size_t orderRows(const Study& study);
 

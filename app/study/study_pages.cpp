@@ -28,8 +28,9 @@ std::string hidden(const char* name, const std::string& value) {
   return fmt::format("<input type=\"hidden\" name=\"{}\" value=\"{}\">", name, htmlOf(value));
 }
 
-std::string button(const char* go, const char* words, const char* kind = "") {
-  return fmt::format("<button name=\"go\" value=\"{}\" class=\"{}\">{}</button>", go, kind, words);
+/// A button with `more`, formnovalidate, sends a form whose fields are empty.
+std::string button(const char* go, const char* words, const char* kind = "", const char* more = "") {
+  return fmt::format("<button name=\"go\" value=\"{}\" class=\"{}\"{}>{}</button>", go, kind, more, words);
 }
 
 /// Returns a page with one form. Everybody may stop on every page.
@@ -92,7 +93,9 @@ std::string codePage(const std::string& title, const std::string& notice) {
                   "for=\"code\">The code of your slip</label><input id=\"code\" name=\"code\" "
                   "maxlength=\"12\" autocapitalize=\"characters\" spellcheck=\"false\" "
                   "required></p><p class=\"go\">{}</p></form>",
-                  htmlOf(title), noticeOf(notice), button("code", "Go on", "main")));
+                  htmlOf(title), noticeOf(notice),
+                  button("code", "Go on", "main") +
+                      button("called", "My code was typed for me", "", " formnovalidate")));
 }
 
 std::string consentPage(const StudyPageFrame& frame, const std::string& consent) {
@@ -157,14 +160,14 @@ std::string ratingPage(const StudyPageFrame& frame, std::span<const RatingQuesti
       scale += radio(question.id, std::to_string(value), std::to_string(value), false);
     body += fieldset(question.words, scale + fmt::format("<span>{}</span>", question.most), "row");
   }
-  return formPage(frame, "How are you?", body, button("next", "Go on", "main"));
+  return formPage(frame, "How are you?", body, button("rate", "Go on", "main"));
 }
 
 std::string stopPage(const StudyPageFrame& frame) {
   return formPage(
       frame, "Do you want to stop?",
       "<p>You feel unwell. It is all right to stop now; sit down, and tell the person who leads.</p>",
-      button("stop", "Stop now", "main") + button("next", "I want to go on"), false);
+      button("stop", "Stop now", "main") + button("stay", "I want to go on"), false);
 }
 
 std::string lessonPage(const StudyPageFrame& frame, std::size_t place, std::size_t count, bool isWaiting) {

@@ -60,5 +60,7 @@ inline constexpr int kUnwell = 7;
 
 /// In lessons the question how unwell one feels comes again after so long.
 inline constexpr double kAskUnwellEvery_s = 600.0;
+/// Until it is answered they are reminded of it.
+inline constexpr double kRemindEvery_s = 30.0;
 
 }  // namespace carom

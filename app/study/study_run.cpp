@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <utility>
 
+#include "app/journal/session_games.h"
 #include "app/study/study_code.h"
 #include "engine/base/log.h"
+#include "engine/base/plain_words.h"
 
 namespace carom {
 namespace {
@@ -45,42 +46,11 @@ std::string formsOf(const Participant& plan) {
 
 }  // namespace
 
-std::map<std::string, std::size_t> readSlips(const std::filesystem::path& file, std::size_t participants) {
-  std::map<std::string, std::size_t> slips;
-  std::vector<InputError> faults;
-  const std::string text = readText(file, InputKind::trace);
-  int line = 0;
-  for (std::size_t from = 0; from < text.size(); ++line) {
-    const std::size_t end = std::min(text.find('\n', from), text.size());
-    std::string row = text.substr(from, end - from);
-    from = end + 1;
-    if (row.ends_with('\r')) row.pop_back();
-    const auto fault = [&](const std::string& words) {
-      if (faults.size() < kMostFindings) faults.emplace_back(file.string(), line + 1, 1, words);
-    };
-    if (line == 0) {
-      if (row != "number,code") fault("expected the line number,code of carom study codes");
-      continue;
-    }
-    const std::size_t comma = row.find(',');
-    const auto number = comma == std::string::npos ? std::nullopt : wholeNumber(row.substr(0, comma));
-    const auto code = comma == std::string::npos ? std::nullopt : codeOf(row.substr(comma + 1));
-    if (!number || *number < 1.0 || *number > static_cast<double>(participants) ||
-        *number != std::floor(*number))
-      fault(fmt::format("there is no such number of a participant, expected 1 to {}", participants));
-    else if (!code)
-      fault("this is no code, expected one that carom study codes has drawn");
-    else if (!slips.emplace(*code, static_cast<std::size_t>(*number)).second)
-      fault("this code stands here twice, expected it once");
-  }
-  if (slips.empty() && faults.empty())
-    faults.emplace_back(file.string(), 1, 1, "there is no code here, expected those of carom study codes");
-  if (!faults.empty()) throw InputErrors(std::move(faults));
-  return slips;
-}
-
 StudyRun::StudyRun(Setup setup, StudyTables& tables)
-    : setup_(std::move(setup)), tables_(tables), planned_(allocate(setup_.study)) {
+    : setup_(std::move(setup)),
+      tables_(tables),
+      planned_(allocate(setup_.study)),
+      withdrawn_(sessionValue(tables.database(), "study_withdrawn")) {
   for (const ParticipantRow& row : participantsIn(tables_.database())) {
     if (row.number < 1 || row.number > planned_.size()) continue;
     Place& place = places_[row.code];
@@ -97,8 +67,10 @@ std::string StudyRun::page(std::string_view form, double now_s) {
   const FormFields fields(form);
   const auto code = codes_.find(fields["token"]);
   if (code == codes_.end()) {
-    if (!fields.has("code")) return codePage(setup_.study.title, "");
-    return enter(fields["code"], now_s);
+    if (fields["go"] == "called" && called_.empty())
+      return codePage(setup_.study.title, "No code has been typed at the console. Please type yours here.");
+    if (fields["go"] == "called") return enter(std::exchange(called_, {}), now_s);
+    return fields.has("code") ? enter(fields["code"], now_s) : codePage(setup_.study.title, "");
   }
   Place& place = places_.at(code->second);
   const Refusal refused = take(place, fields, now_s);
@@ -109,12 +81,12 @@ std::string StudyRun::page(std::string_view form, double now_s) {
 /// Returns why a code cannot be used now; empty if it can.
 StudyRun::Refusal StudyRun::refusalOf(const std::string& code) const {
   if (!setup_.slips.contains(code)) return "This code is none of this study. Please look at the slip again.";
-  const std::string withdrawn = sessionValue(tables_.database(), "study_withdrawn");
-  if (withdrawn.find(withdrawnMark(code)) != std::string::npos)
+  if (withdrawn_.find(withdrawnMark(code)) != std::string::npos)
     return "The data of this code were deleted, as its owner wished: it cannot be used again.";
   const std::size_t arm = planned_.at(setup_.slips.at(code) - 1).arm;
   if (!setup_.armsHere.empty() && !setup_.armsHere.at(arm))
-    return "This code is for another room. Please tell the person who leads.";
+    return fmt::format("This code is for another room ({}). Please tell the person who leads.",
+                       setup_.study.arms.at(arm).rig.stem().string());
   const auto known = places_.find(code);
   if (known == places_.end()) return "";
   const ParticipantRow& row = known->second.row;
@@ -168,15 +140,13 @@ StudyRun::Refusal StudyRun::take(Place& place, const FormFields& fields, double 
     stop(place);
     return "";
   }
-  if (place.isUnwell) {
-    place.isUnwell = false;
+  if (place.isUnwell) {  // the offer to stop is seen, whatever page was open before
+    place.isUnwell = go != "stay";
+    isNews_ = true;
     return "";
   }
-  if (place.asksUnwell) {
-    const Refusal refused = takeRatings(place, std::span(&kUnwellDuring, 1), fields, now_s);
-    if (refused.empty()) place.asksUnwell = false;
-    return refused;
-  }
+  if (place.asksUnwell)
+    return go == "rate" ? takeRatings(place, std::span(&kUnwellDuring, 1), fields, now_s) : "";
   switch (step) {
     case StudyStep::consent:
       return takeConsent(place, fields);
@@ -301,11 +271,12 @@ StudyRun::Refusal StudyRun::takeRatings(Place& place, std::span<const RatingQues
     row.answer = std::to_string(value);
     row.seconds = std::clamp(now_s - place.shown_s, 0.0, kLongestLook_s);
     row.t_s = session_s_;
+    if (row.item.starts_with("unwell")) place.isUnwell = value >= kUnwell;
     keep(place, std::move(row), true);
-    if (row.item.starts_with("unwell") || std::string_view(question.id).starts_with("unwell"))
-      place.isUnwell = value >= kUnwell;
   }
+  place.asksUnwell = false;
   place.askedUnwell_s = now_s;
+  isNews_ = true;
   return "";
 }
 
@@ -313,8 +284,7 @@ StudyRun::Refusal StudyRun::takeRatings(Place& place, std::span<const RatingQues
 void StudyRun::takeLesson(Place& place, double now_s) {
   if (inRoom_ != place.row.code) return enterRoom(place);
   if (now_s - place.askedUnwell_s >= kAskUnwellEvery_s) {
-    place.asksUnwell = true;
-    place.askedUnwell_s = now_s;
+    askUnwell(place, now_s);
     return;
   }
   ++place.row.lesson;
@@ -324,6 +294,12 @@ void StudyRun::takeLesson(Place& place, double now_s) {
   }
   leaveRoom(place);
   goTo(place, StudyStep::after);
+}
+
+/// Has the page of somebody in a lesson ask how they feel.
+void StudyRun::askUnwell(Place& place, double now_s) {
+  place.askedUnwell_s = now_s;
+  if (!std::exchange(place.asksUnwell, true)) tellOperator(place);
 }
 
 void StudyRun::stop(Place& place) {
@@ -440,8 +416,65 @@ void StudyRun::lessonBegins(const RoomWish& wish) {
   store();
 }
 
-/// Says in the log how far a participant is: the code, and the arm only if the study is open.
-void StudyRun::tellOperator(const Place& place) const {
+bool StudyRun::asksUnwell(double now_s) {
+  const std::unique_lock hold(mutex_, std::try_to_lock);
+  if (!hold || inRoom_.empty()) return false;
+  Place& place = places_.at(inRoom_);
+  const double every_s = place.asksUnwell ? kRemindEvery_s : kAskUnwellEvery_s;
+  if (stepOf(place.row) != StudyStep::lessons || place.isUnwell || now_s - place.askedUnwell_s < every_s)
+    return false;
+  askUnwell(place, now_s);
+  return true;
+}
+
+std::optional<std::string> StudyRun::order(const StudyOrder& order, double now_s) {
+  const std::unique_lock hold(mutex_, std::try_to_lock);
+  if (!hold) return {};
+  return std::visit([&](const auto& one) { return carryOut(one, now_s); }, order);
+}
+
+std::string StudyRun::carryOut(const CallCode& called, double /*now_s*/) {
+  const std::optional<std::string> code = codeOf(called.typed);
+  if (!code) return "This is no code: a letter of it is mistyped.";
+  if (Refusal refused = refusalOf(*code); !refused.empty()) return refused;
+  called_ = *code;
+  const StudyArm& arm = setup_.study.arms.at(planned_.at(setup_.slips.at(*code) - 1).arm);
+  return fmt::format("{}{}: ready. On the tablet: \"My code was typed for me\".", *code,
+                     setup_.study.isOpen ? " (" + arm.name + ")" : "");
+}
+
+std::string StudyRun::carryOut(const RateUnwell& rated, double now_s) {
+  if (inRoom_.empty()) return "Nobody is in a lesson.";
+  Place& place = places_.at(inRoom_);
+  place.shown_s = place.asksUnwell ? place.askedUnwell_s : now_s;
+  takeRatings(place, std::span(&kUnwellDuring, 1),
+              FormFields(fmt::format("{}={}", kUnwellDuring.id, rated.value)), now_s);
+  if (place.isUnwell) return fmt::format("{} feels unwell: offer to stop.", inRoom_);
+  return fmt::format("{}: {} is kept.", inRoom_, rated.value);
+}
+
+std::string StudyRun::carryOut(const StopInRoom& /*stopped*/, double /*now_s*/) {
+  if (inRoom_.empty()) return "Nobody is in a lesson.";
+  const std::string code = inRoom_;
+  stop(places_.at(code));
+  return fmt::format("{} has stopped.", code);
+}
+
+std::optional<std::vector<StudyStanding>> StudyRun::takeStandings() {
+  const std::unique_lock hold(mutex_, std::try_to_lock);
+  if (!hold || !std::exchange(isNews_, false)) return {};
+  std::vector<StudyStanding> all;
+  for (const auto& [code, place] : places_) {
+    const StudyStep step = stepOf(place.row);
+    if (!place.row.excluded.empty() || step == StudyStep::done || step == StudyStep::doneDelayed) continue;
+    const bool isInRoom = code == inRoom_;
+    all.push_back({code, wordsOf(place), isInRoom, isInRoom && place.asksUnwell, place.isUnwell});
+  }
+  return all;
+}
+
+/// Returns how far a participant is, and the arm only if the study is open.
+std::string StudyRun::wordsOf(const Place& place) const {
   constexpr std::array<const char*, 10> kWords{"consent",      "background", "test before", "rating",
                                                "lesson",       "test after", "ratings",     "done",
                                                "delayed test", "done"};
@@ -449,9 +482,15 @@ void StudyRun::tellOperator(const Place& place) const {
   std::string words = kWords.at(static_cast<std::size_t>(row.step));
   if (stepOf(row) == StudyStep::lessons)
     words += fmt::format(" {} of {}", row.lesson + 1, place.plan.lessons.size());
+  if (place.asksUnwell) words += ", asked how they feel";
   if (!row.excluded.empty()) words = row.excluded;
-  log::note(fmt::format("study: {} ({}){}: {}", row.code, row.number,
-                        setup_.study.isOpen ? " in " + row.arm : "", words));
+  return setup_.study.isOpen ? fmt::format("{} ({})", words, row.arm) : words;
+}
+
+/// Says in the log how far a participant is.
+void StudyRun::tellOperator(const Place& place) {
+  isNews_ = true;
+  log::note(fmt::format("study: {} ({}): {}", place.row.code, place.row.number, wordsOf(place)));
 }
 
 }  // namespace carom

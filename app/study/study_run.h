@@ -15,6 +15,7 @@
 
 #include "app/study/allocation.h"
 #include "app/study/form_fields.h"
+#include "app/study/study_orders.h"
 #include "app/study/study_pages.h"
 #include "app/study/study_tables.h"
 
@@ -25,10 +26,6 @@ struct RoomWish {
   std::string code;                               ///< empty: the room waits
   std::size_t lesson = 0, position = 0, arm = 0;  ///< indices of lesson and arm; the place in their order
 };
-
-/// Reads number,code: the number of each code. Throws InputErrors with the line of a code that is none, that
-/// stands twice, or whose number the study does not have.
-std::map<std::string, std::size_t> readSlips(const std::filesystem::path& file, std::size_t participants);
 
 class StudyRun {
  public:
@@ -42,12 +39,22 @@ class StudyRun {
   };
   /// Goes on with the participants that the tables have, which must outlive this.
   StudyRun(Setup setup, StudyTables& tables);
+  ~StudyRun() { store(); }
+  StudyRun(const StudyRun&) = delete;
+  StudyRun& operator=(const StudyRun&) = delete;
 
   /// Takes a form, or none, and returns the next page. `now_s` is of any steady clock.
   std::string page(std::string_view form, double now_s);
 
   // For the thread of the frames, which none of these lets wait.
   std::optional<RoomWish> takeWish();
+  /// Carries out an order of the console. Returns what came of it; none while a page is made: order it again.
+  std::optional<std::string> order(const StudyOrder& order, double now_s);
+  /// Returns whether the person in the room is to be asked now how they feel: every ten minutes, and again
+  /// until they have answered.
+  bool asksUnwell(double now_s);
+  /// Returns how far everybody is who is not done, if that has changed since the last call.
+  std::optional<std::vector<StudyStanding>> takeStandings();
   /// Tells the time of the session.
   void tell(double session_s) { session_s_ = session_s; }
 
@@ -68,6 +75,9 @@ class StudyRun {
 
   std::string enter(const std::string& typed, double now_s);
   Refusal refusalOf(const std::string& code) const;
+  std::string carryOut(const CallCode& called, double now_s);
+  std::string carryOut(const RateUnwell& rated, double now_s);
+  std::string carryOut(const StopInRoom& stopped, double now_s);
   Place& placeOf(const std::string& code);
   Refusal take(Place& place, const FormFields& fields, double now_s);
   Refusal takeConsent(Place& place, const FormFields& fields);
@@ -76,6 +86,7 @@ class StudyRun {
   Refusal takeRatings(Place& place, std::span<const RatingQuestion> questions, const FormFields& fields,
                       double now_s);
   void takeLesson(Place& place, double now_s);
+  void askUnwell(Place& place, double now_s);
   void stop(Place& place);
   void goTo(Place& place, StudyStep step);
   void enterRoom(Place& place);
@@ -85,7 +96,8 @@ class StudyRun {
   std::vector<const Item*> itemsOf(const Place& place) const;
   void keep(Place& place, ResponseRow row, bool isChanged);
   void store();
-  void tellOperator(const Place& place) const;
+  std::string wordsOf(const Place& place) const;
+  void tellOperator(const Place& place);
 
   Setup setup_;
   StudyTables& tables_;
@@ -95,7 +107,9 @@ class StudyRun {
   std::map<std::string, std::string> codes_;     ///< by token
   std::deque<std::function<void()>> unwritten_;  ///< rows that wait for the disk
   std::optional<RoomWish> wish_;
-  std::string inRoom_;  ///< codes
+  std::string inRoom_, called_;  ///< codes; called: at the console, and not yet on a page
+  std::string withdrawn_;        ///< marks of the codes whose data were deleted
+  bool isNews_ = true;           ///< the console has not seen how far everybody is
   bool isTroubled_ = false;
   std::atomic<double> session_s_{0.0};
 };

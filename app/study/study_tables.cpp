@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "app/journal/session_games.h"
+
 namespace carom {
 namespace {
 
@@ -40,12 +42,6 @@ bool ParticipantRow::allows(std::string_view box) const {
 bool hasStudy(SQLite::Database& session) {
   return session.tableExists("participant") && session.tableExists("response") &&
          session.tableExists("participation");
-}
-
-std::string sessionValue(SQLite::Database& session, const std::string& key) {
-  SQLite::Statement row(session, "SELECT value FROM session WHERE key = ?");
-  row.bind(1, key);
-  return row.executeStep() ? row.getColumn(0).getString() : "";
 }
 
 std::vector<ParticipantRow> participantsIn(SQLite::Database& session) {

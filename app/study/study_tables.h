@@ -63,8 +63,6 @@ struct ParticipationRow {
 
 /// Returns whether the file has the tables of a study.
 bool hasStudy(SQLite::Database& session);
-/// Returns a value of table session; empty if it is not there.
-std::string sessionValue(SQLite::Database& session, const std::string& key);
 std::vector<ParticipantRow> participantsIn(SQLite::Database& session);
 std::vector<ResponseRow> responsesOf(SQLite::Database& session, const std::string& code);
 std::vector<ParticipationRow> participationsIn(SQLite::Database& session);

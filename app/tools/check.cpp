@@ -26,6 +26,7 @@
 #include "app/room_formats/room_kind.h"
 #include "app/room_import/rig_room.h"
 #include "app/room_import/room_check.h"
+#include "app/study/retention.h"
 #include "app/study/study.h"
 #include "app/tools/import.h"
 #include "app/tools/option_values.h"
@@ -334,6 +335,8 @@ void tellPlaylist(const std::filesystem::path& path, const FileOpeners& open) {
 void tellStudy(const std::filesystem::path& path) {
   const Study study = readStudy(path);
   printFindings(path, study.odd);
+  if (const std::string words = overdueWords(study, todayUtc()); !words.empty())
+    log::warn(fmt::format("{}: {}", path.string(), words));
   fmt::print("{}: a study of {} in {}, {}\n", study.title, counted(study.participants, "participant"),
              counted(study.arms.size(), "arm"), counted(study.lessons.size(), "lesson"));
   for (const StudyArm& arm : study.arms) {

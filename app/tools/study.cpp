@@ -35,6 +35,14 @@ std::string planText(const Study& study, const std::vector<Participant>& partici
                         one.orderRow, kForms[one.forms[0]], kForms[one.forms[1]], kForms[one.forms[2]],
                         fmt::join(lessons, ", "));
   }
+  if (rigsOf(study).size() < 2) return text;
+  for (const std::string& rig : rigsOf(study)) {
+    std::vector<std::size_t> numbers;
+    for (const Participant& one : participants) {
+      if (study.arms[one.arm].rig.stem() == rig) numbers.push_back(one.number);
+    }
+    text += fmt::format("session with --rig {}: numbers {}\n", rig, fmt::join(numbers, ", "));
+  }
   return text;
 }
 

@@ -124,6 +124,8 @@ inline constexpr Text kNoCarom = "No carom so far: strike a puck so that it touc
 inline constexpr Text kFrozen = "The view is frozen: F lets time go on.";
 inline constexpr Text kAsks = "Time stands still until you choose an answer. Point at it and press.";
 inline constexpr Text kAnswerFirst = "Answer the question first, or skip it.";
+inline constexpr Text kHowUnwell =
+    "How unwell do you feel? Answer on the tablet, or tell the person who leads. You may stop at any time.";
 inline constexpr Text kNoVelocities = "F2 to F4 choose a velocity in lessons that offer some.";
 inline constexpr Text kNoSuchKey = "This key does nothing here. H lists the keys.";
 inline constexpr Text kNoLesson = "There is no lesson in today's programme.";
@@ -367,6 +369,11 @@ inline constexpr Text kClassJoin = "Phones", kClassTeacher = "Teacher's page", k
 inline constexpr Text kClassTeacherTip =
     "Whoever enters the PIN there leads the class, in the place of the one before.";
 inline constexpr Text kClassCount = "{} phones, {} answered";
+inline constexpr Text kStudyTab = "Study", kStudyCode = "Code of the slip", kStudyLetIn = "Let in";
+inline constexpr Text kStudyCodeTip = "Or the participant types it on the tablet.";
+inline constexpr Text kStudyPeople = "Taking part", kStudyNobody = "Nobody yet", kStudyStanding = "{}  {}";
+inline constexpr Text kStudyUnwell = "How unwell they say they feel: 0 not at all, 10 very";
+inline constexpr Text kStudyStop = "They want to stop";
 inline constexpr Text kSaidAt = "{:7.1f} s";
 inline constexpr Text kKeys = "Keys";
 inline constexpr Text kKeysWhere = "In this window and in any of this computer's walls.";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/base/plain_words.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -30,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       return (static_cast<unsigned char>(letter) & 0xc0U) != 0x80U;
     });
     test::expect(signs <= static_cast<long>(kMostReasonSigns), "a reason is short");
-    test::expect(cleanWords(words) == words, "clean words stay as they are");
+    test::expect(plainWords(words, kMostReasonSigns) == words, "plain words stay as they are");
   }
   return 0;
 }

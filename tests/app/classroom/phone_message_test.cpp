@@ -65,17 +65,5 @@ TEST(PhoneMessage, IsNothingElse) {
     EXPECT_FALSE(phoneMessageOf(wrong)) << wrong.substr(0, 80);
 }
 
-TEST(PhoneMessage, CleansWords) {
-  EXPECT_EQ(cleanWords("<script>alert(1)</script>"), "<script>alert(1)</script>") << "pages show it as text";
-  EXPECT_EQ(cleanWords("a\u202eb\u200fc\u2066d\u061ce"), "abcde") << "marks of direction";
-  EXPECT_EQ(cleanWords(std::string("a\0b\x1b[31m\x7f\u0085", 11)), "ab[31m") << "control signs";
-  EXPECT_EQ(cleanWords("one\ntwo\tthree"), "one two three");
-  EXPECT_EQ(cleanWords("γ = 1.25, weiß, 光, 🙂"), "γ = 1.25, weiß, 光, 🙂");
-  std::string many, kept;
-  for (int i = 0; i < 300; ++i) many += "光";
-  for (std::size_t i = 0; i < kMostReasonSigns; ++i) kept += "光";
-  EXPECT_EQ(cleanWords(many), kept);
-}
-
 }  // namespace
 }  // namespace carom

@@ -7,7 +7,8 @@
 #include <regex>
 #include <string>
 
-#include "app/journal/session_facts.h"
+#include "app/journal/session_games.h"
+#include "app/study/slips.h"
 #include "app/study/study_code.h"
 #include "app/temporary_folder.h"
 
@@ -192,6 +193,7 @@ TEST(StudyRun, RefusesCodesThatCannotBeUsed) {
   EXPECT_TRUE(run.says("This code is none of this study"));
   run.tables_->database().exec("INSERT INTO session VALUES('study_withdrawn', '" +
                                withdrawnMark(run.codes_[1]) + "')");
+  run.open();  // nobody's data are deleted while a session runs
   run.enter(run.codes_[1]);
   EXPECT_TRUE(run.says("were deleted"));
   run.enter(run.codes_[0]);
@@ -280,8 +282,12 @@ TEST(StudyRun, WhoFeelsUnwellIsOfferedToStopAndOneIsInTheRoomAtATime) {
   run.now_s_ += 600.0;
   run.send("go=next");
   ASSERT_TRUE(run.says("How unwell do you feel now?"));
-  run.send("go=next&unwell-during=8");
+  run.send("go=rate");
+  ASSERT_TRUE(run.says("choose a number"));
+  run.send("go=rate&unwell-during=8");
   ASSERT_TRUE(run.says("Do you want to stop?"));
+  run.send("go=next");
+  ASSERT_TRUE(run.says("Do you want to stop?")) << "a page of before does not pass over the offer";
   run.send("go=stop");
   EXPECT_TRUE(run.says("You have stopped"));
   EXPECT_TRUE(run.run_->takeWish()->code.empty());
@@ -289,6 +295,113 @@ TEST(StudyRun, WhoFeelsUnwellIsOfferedToStopAndOneIsInTheRoomAtATime) {
   run.send("go=next");
   EXPECT_TRUE(run.says("Lesson 1 of 2"));
   EXPECT_EQ(run.run_->takeWish()->code, run.codes_[1]);
+}
+
+/// Returns what is said to an order.
+std::string said(StudyVisit& run, const StudyOrder& order) {
+  return run.run_->order(order, run.now_s_).value();
+}
+
+/// Returns how the owner of a code stands; none if they are not on their way. The newest standings are kept.
+class Standings {
+ public:
+  const StudyStanding* of(StudyVisit& run, const std::string& code) {
+    if (auto all = run.run_->takeStandings()) newest_ = *std::move(all);
+    const auto found = std::find_if(newest_.begin(), newest_.end(),
+                                    [&](const StudyStanding& one) { return one.code == code; });
+    return found == newest_.end() ? nullptr : &*found;
+  }
+
+ private:
+  std::vector<StudyStanding> newest_;
+};
+
+TEST(StudyRun, ACodeThatIsTypedAtTheConsoleOpensTheNextPageThatAsks) {
+  StudyVisit run;
+  const std::string code = run.codes_[1];
+  run.page_ = run.run_->page("", run.now_s_);
+  run.send("go=called&code=");
+  EXPECT_TRUE(run.says("No code has been typed at the console")) << run.page_;
+  EXPECT_EQ(said(run, CallCode{"AAAAAB"}), "This is no code: a letter of it is mistyped.");
+  EXPECT_EQ(said(run, CallCode{newCodes(1)[0]}),
+            "This code is none of this study. Please look at the slip again.");
+  run.send("go=called&code=");
+  EXPECT_TRUE(run.says("No code has been typed at the console")) << "a refused code lets in";
+  std::string typed = code;
+  std::transform(typed.begin(), typed.end(), typed.begin(), [](unsigned char c) { return std::tolower(c); });
+  EXPECT_EQ(said(run, CallCode{" " + typed}), code + ": ready. On the tablet: \"My code was typed for me\".")
+      << "not the arm";
+  run.send("go=called&code=");
+  ASSERT_TRUE(run.says("Before you begin")) << run.page_;
+  run.send("go=next&part=yes");
+  EXPECT_EQ(run.row(code).code, code);
+  run.page_ = run.run_->page("", run.now_s_);
+  run.send("go=called&code=");
+  EXPECT_TRUE(run.says("No code has been typed at the console")) << "one order lets two people in";
+  run.send("go=stop");
+  StudyVisit open("open = true\n");
+  EXPECT_EQ(said(open, CallCode{open.codes_[0]}).substr(6),
+            " (a): ready. On the tablet: \"My code was typed for me\".");
+}
+
+TEST(StudyRun, WhoIsInALessonIsAskedEveryTenMinutesHowTheyFeel) {
+  StudyVisit run;
+  const std::string code = run.codes_[0];
+  Standings standings;
+  EXPECT_EQ(said(run, RateUnwell{3}), "Nobody is in a lesson.");
+  EXPECT_EQ(said(run, StopInRoom{}), "Nobody is in a lesson.");
+  run.beginWith(code);
+  const std::string lesson = run.page_;
+  ASSERT_TRUE(standings.of(run, code));
+  EXPECT_EQ(standings.of(run, code)->words, "lesson 1 of 2");
+  EXPECT_TRUE(standings.of(run, code)->isInRoom);
+  EXPECT_FALSE(run.run_->takeStandings()) << "nothing has changed";
+  const double begun_s = run.now_s_;
+  int asked = 0;
+  for (run.now_s_ = begun_s; run.now_s_ < begun_s + 599.0; run.now_s_ += 0.5)
+    asked += run.run_->asksUnwell(run.now_s_);
+  EXPECT_EQ(asked, 0);
+  for (; run.now_s_ < begun_s + 661.0; run.now_s_ += 0.5) asked += run.run_->asksUnwell(run.now_s_);
+  EXPECT_EQ(asked, 3) << "at 600 s, and reminded at 630 and 660";
+  EXPECT_TRUE(standings.of(run, code)->isAsked);
+  EXPECT_EQ(standings.of(run, code)->words, "lesson 1 of 2, asked how they feel");
+  run.send("go=next");
+  ASSERT_TRUE(run.says("How unwell do you feel now?")) << "the lesson's page goes on past the question";
+  run.send("go=rate&unwell-during=6");
+  ASSERT_TRUE(run.says("Lesson 1 of 2")) << run.page_;
+  EXPECT_FALSE(standings.of(run, code)->isAsked);
+  EXPECT_FALSE(run.run_->asksUnwell(run.now_s_ + 599.0));
+  EXPECT_TRUE(run.run_->asksUnwell(run.now_s_ + 601.0)) << "ten minutes after the answer again";
+  run.now_s_ += 601.0;
+  EXPECT_EQ(said(run, RateUnwell{7}), code + " feels unwell: offer to stop.");  // who wears a headset says it
+  EXPECT_TRUE(standings.of(run, code)->isUnwell);
+  run.send("go=next");
+  ASSERT_TRUE(run.says("Do you want to stop?"));
+  run.send("go=stay");
+  ASSERT_TRUE(run.says("Lesson 1 of 2"));
+  EXPECT_FALSE(standings.of(run, code)->isUnwell);
+  EXPECT_EQ(said(run, RateUnwell{2}), code + ": 2 is kept.");
+  const auto ratings = run.responses(code, "rating");
+  ASSERT_EQ(ratings.size(), 3U) << "the newest is written with the next page";
+  EXPECT_EQ(ratings[1].item + " " + ratings[1].answer, "unwell-during-1 6");
+  EXPECT_EQ(ratings[2].item + " " + ratings[2].answer, "unwell-during-2 7");
+  EXPECT_EQ(said(run, StopInRoom{}), code + " has stopped.");
+  EXPECT_TRUE(run.run_->takeWish()->code.empty()) << "the room waits for the next one";
+  EXPECT_EQ(standings.of(run, code), nullptr);
+  EXPECT_FALSE(run.run_->asksUnwell(run.now_s_ + 700.0));
+  run.send("go=next");
+  EXPECT_TRUE(run.says("You have stopped"));
+  EXPECT_EQ(run.row(code).excluded, "stopped");
+  EXPECT_EQ(run.responses(code, "rating").back().answer, "2");
+}
+
+TEST(StudyRun, WhatTheConsoleKeptLastIsWrittenWhenTheSessionEnds) {
+  StudyVisit run;
+  const std::string code = run.codes_[0];
+  run.beginWith(code);
+  said(run, RateUnwell{5});
+  run.run_.reset();
+  EXPECT_EQ(run.responses(code, "rating").back().answer, "5");
 }
 
 TEST(StudyRun, AStudyThatWasChangedAfterTheFirstParticipantIsRefusedUnlessAmended) {
@@ -346,20 +459,12 @@ TEST(FormFields, TakesWhatBrowsersSend) {
   EXPECT_EQ(fields["b"], "\xC3\xA4&");
   EXPECT_TRUE(fields.has("c"));
   EXPECT_FALSE(fields.has("d"));
-  EXPECT_EQ(fields["e"], "?%");
+  EXPECT_EQ(fields["e"], "\n%");
+  EXPECT_EQ(FormFields("f=%00%1b%7f")["f"], "???");
   EXPECT_EQ(FormFields("n=7")["x"], "");
   EXPECT_EQ(FormFields("n=7").number("n", 10, -1), 7);
   for (const char* wrong : {"n=11", "n=-1", "n=7x", "n=", "n=7.0", "m=7"})
     EXPECT_EQ(FormFields(wrong).number("n", 10, -1), -1) << wrong;
-  EXPECT_EQ(plainWords("\xC3\xA4"
-                       "bc",
-                       2),
-            "\xC3\xA4"
-            "b");
-  EXPECT_EQ(plainWords("a\xE2\x80\xAE"
-                       "b\xFF",
-                       9),
-            "ab?");
 }
 
 TEST(Slips, AreReadWithTheirFaults) {

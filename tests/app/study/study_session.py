@@ -72,10 +72,13 @@ class Page(html.parser.HTMLParser):
 
 
 class Session:
-    def __init__(self, *options):
+    def __init__(self, *options, of=(study, slips, session), rig="room.toml"):
+        words = ["--study", of[0], "--slips", of[1], "--session", of[2], *([] if "--resume" in options else ["--rig", out / rig])]
+        if "--console" not in options:
+            words.append("--no-window")
         self.process = subprocess.Popen(
-            [carom, "cave", *([] if "--resume" in options else ["--rig", out / "room.toml"]), "--silent", "--no-window", "--session", session, "--study", study, "--slips", slips, "--lesson", "shows",
-             "--class-address", "127.0.0.1", "--class-port", "0", *options], stdout=subprocess.PIPE, stderr=open(out / "stderr", "a"), text=True)
+            [carom, "cave", "--silent", "--lesson", "shows", "--class-address", "127.0.0.1", "--class-port", "0", *words, *options],
+            stdout=subprocess.PIPE, stderr=open(out / "stderr", "a"), text=True)
         line = self.process.stdout.readline()
         found = re.fullmatch(r"study: (http://127\.0\.0\.1:\d+/study)\n", line)
         assert found, f"the line of the study: {line!r}"
@@ -193,8 +196,51 @@ def smooth_path(times, places):
     return sum(math.dist(a, b) for a, b in zip(smooth, smooth[1:]))
 
 
+def turned(quaternion, vector):
+    """The vector, turned by Rodrigues' formula: by the angle and about the axis of the quaternion."""
+    w, *axis = quaternion
+    sine = math.hypot(*axis)
+    if sine < 1e-12:
+        return list(vector)
+    k, angle = [a / sine for a in axis], 2 * math.atan2(sine, w)
+    cross = [k[1] * vector[2] - k[2] * vector[1], k[2] * vector[0] - k[0] * vector[2], k[0] * vector[1] - k[1] * vector[0]]
+    along = sum(a * b for a, b in zip(k, vector))
+    return [v * math.cos(angle) + c * math.sin(angle) + a * along * (1 - math.cos(angle)) for v, c, a in zip(vector, cross, k)]
+
+
+def apart_deg(a, b):
+    """The angle between two directions, from the area that they span."""
+    cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    return math.degrees(math.atan2(math.hypot(*cross), sum(x * y for x, y in zip(a, b))))
+
+
+def solved(columns, right):
+    """x of columns · x = right, by Cramer's rule."""
+    def det(m):
+        return sum(m[i][0] * (m[(i + 1) % 3][1] * m[(i + 2) % 3][2] - m[(i + 2) % 3][1] * m[(i + 1) % 3][2]) for i in range(3))
+    rows = [[column[i] for column in columns] for i in range(3)]
+    return [det([[right[i] if j == k else rows[i][j] for j in range(3)] for i in range(3)]) / det(rows) for k in range(3)]
+
+
+def pointing(file, first, end, wall):
+    """The shares of time in which the head points within 15 degrees of the table's middle, and of the middle of the wall."""
+    middle = [(a + b) / 2 for a, b in zip(wall["lower_right"], wall["upper_left"])]
+    total, table, panel, before = 0.0, 0.0, 0.0, None
+    for t, *of in query("SELECT f.display_s, v.room_x_m, v.room_y_m, v.room_z_m, v.x_m, v.y_m, v.z_m, f.head_sensor_qw, f.head_sensor_qx, f.head_sensor_qy, f.head_sensor_qz, "
+                        + ", ".join(f"f.board_from_room_{axes}" for axes in ("xx", "yx", "zx", "xy", "yy", "zy", "xz", "yz", "zz"))
+                        + " FROM frame f JOIN viewer v ON v.frame = f.number WHERE f.number >= ? AND f.number < ? ORDER BY f.number", first, end, file=file):
+        step, before = (0.0 if before is None else t - before), t
+        forward = turned(of[6:10], (0, 0, -1))
+        to_table = solved([of[10:13], of[13:16], of[16:19]], [-x for x in of[3:6]])
+        total += step
+        table += step * (apart_deg(forward, to_table) <= 15)
+        panel += step * (apart_deg(forward, [m - x for m, x in zip(middle, of[:3])]) <= 15)
+    return table / total, panel / total
+
+
 def check_behaviour(folder, arms):
-    rows = rows_of(folder, "behaviour.csv")
+    wall = tomllib.loads((out / "room.toml").read_text())["wall"][0]
+    rows, moved = rows_of(folder, "behaviour.csv"), []
     assert len(rows) == (PEOPLE - 1) * len(LESSONS), len(rows)
     for row in rows:
         first = query("SELECT first_frame FROM participation WHERE code = ? AND lesson = ?", row["participant"], row["lesson"])[0][0]
@@ -209,6 +255,8 @@ def check_behaviour(folder, arms):
         beta = [u / math.sqrt(1 + u * u) for u in (math.hypot(*frame[4:7]) / frame[7] for frame in frames)]
         mean = sum(b * (t - s) for b, s, t in zip(beta[1:], times, times[1:])) / (times[-1] - times[0])
         assert abs(float(row["beta_mean"]) - mean) < 1e-5 and abs(float(row["beta_most"]) - max(beta)) < 1e-5, f"{row}: {mean}"
+        for name, share in zip(("towards_table", "towards_panel"), pointing(session, first, end, wall)):
+            assert abs(float(row[name]) - share) < 1e-5, f"{row}: {name} {share}"
         asked = sum(t - s for frame, s, t in zip(frames[1:], times, times[1:]) if frame[8] == 1)
         assert abs(float(row["ask_s"]) - asked) < 1e-4, f"{row}: {asked}"
         still = arms[row["participant"]] == "still"
@@ -216,9 +264,10 @@ def check_behaviour(folder, arms):
             assert len({frame[1:4] for frame in frames}) == 1 and float(row["path_m"]) < 1e-9, "a still head moved"
             assert all(frame[9] & 4 == 0 and frame[10] & 8 == 0 for frame in frames[2:]), "what the arm leaves out was on"
         else:
-            assert length > 0.01, "the simulated head stood"
+            moved.append(length)
             assert any(frame[9] & 4 for frame in frames), "aberration was off in the other arm"
         assert not any(frame[11] for frame in frames[5:]), "the walls were black in a lesson"
+    assert moved and min(moved) > 0 and max(moved) > 0.05, f"the simulated head stood: {moved}"
 
 
 def check_responses(folder, plan, codes):
@@ -377,4 +426,122 @@ run("cave", "--rig", out / "room.toml", "--frames", "5", "--no-window", "--silen
 tables = {row[0] for row in query("SELECT name FROM sqlite_master", file=plain)}
 assert not tables & {"participant", "response", "response_change", "participation"}, tables
 assert "there is no study in this file" in run("study", "export", plain, "-o", out / "none", status=1)
+
+
+def begin(room, code, called=False):
+    """Takes part up to the test."""
+    page = room.send(None, **({"go": "called"} if called else {"go": "code", "code": code}))
+    assert "Before you begin" in page.text, page.text
+    return room.send(room.send(page, go="next", part="yes"), go="next", age_band="18-24")
+
+
+# Arms with other rigs: each rig has its sessions, the plan says whose they are, the export puts them together.
+(out / "other.toml").write_text((out / "room.toml").read_text().replace("upper_left = [-0.8, 1.8, -1.0]", "upper_left = [-0.8, 2.8, -1.0]"))
+rooms = out / "rooms.toml"
+rooms.write_text('title = "Rooms"\nseed = 4\nparticipants = 6\nlessons = ["two-cushions"]\nkeep_until = 2001-02-03\n' + "".join(
+    f'[[arm]]\nname = "{name}"\nrig = "{rig}.toml"\n' for name, rig in (("near", "room"), ("far", "other"))))
+said = run("study", "plan", rooms)
+arm_of = {person["number"]: person["arm"] for person in json.loads(run("study", "plan", rooms, "--json", "-"))["participants"]}
+for arm, rig in ("near", "room"), ("far", "other"):
+    assert f"session with --rig {rig}: numbers {', '.join(str(n) for n in sorted(arm_of) if arm_of[n] == arm)}\n" in said, said
+assert "kept until 2001-02-03, expected that its session files, exports and copies are deleted" in run("check", rooms)
+run("study", "codes", rooms, "-o", out / "rooms.csv")
+with open(out / "rooms.csv", newline="") as file:
+    code_of = {int(row["number"]): row["code"] for row in csv.DictReader(file)}
+(out / "third.toml").write_text((out / "room.toml").read_text())
+refused = subprocess.run([carom, "cave", "--rig", out / "third.toml", "--silent", "--no-window", "--session", out / "third.db", "--study", rooms, "--slips", out / "rooms.csv",
+                          "--class-address", "127.0.0.1", "--class-port", "0"], capture_output=True, text=True, timeout=60)
+assert refused.returncode == 1 and "is that of no arm of the study, expected room or other" in refused.stderr, refused
+for rig, own in ("room", "near"), ("other", "far"):
+    room = Session(of=(rooms, out / "rooms.csv", out / f"day-{rig}.db"), rig=f"{rig}.toml")
+    for number, code in code_of.items():
+        if arm_of[number] != own:
+            assert f"This code is for another room ({'other' if own == 'near' else 'room'})" in room.send(None, go="code", code=code).text
+            continue
+        page = begin(room, code)
+        for _ in range(18):
+            page = room.send(page, go="next", answer="dont-know")
+        page = room.send(room.send(page, go="next"), go="rate", **{"unwell-before": "0"})
+        wait_for("the lesson", lambda: query("SELECT 1 FROM participation WHERE code = ?", code, file=out / f"day-{rig}.db"))
+        first = query("SELECT first_frame FROM participation WHERE code = ?", code, file=out / f"day-{rig}.db")[0][0]
+        wait_for("a second of it", lambda: (query("SELECT max(display_s) - min(display_s) FROM frame WHERE number >= ?", first, file=out / f"day-{rig}.db")[0][0] or 0) > 0.5)
+        room.send(page, go="stop")
+    room.end()
+run("study", "export", out / "day-room.db", out / "day-other.db", "-o", out / "rooms")
+assert {row["participant"]: row["arm"] for row in rows_of(out / "rooms", "participants.csv")} == {code_of[n]: arm for n, arm in arm_of.items()}
+behaved = rows_of(out / "rooms", "behaviour.csv")
+assert len(behaved) == len(code_of)
+for row in behaved:
+    rig = "room" if arm_of[next(n for n, code in code_of.items() if code == row["participant"])] == "near" else "other"
+    file = out / f"day-{rig}.db"
+    first = query("SELECT first_frame FROM participation WHERE code = ?", row["participant"], file=file)[0][0]
+    end = query("SELECT coalesce(min(first_frame), 1e18) FROM game WHERE first_frame > ?", first, file=file)[0][0]
+    share = pointing(file, first, end, tomllib.loads((out / f"{rig}.toml").read_text())["wall"][0])[1]
+    assert abs(float(row["towards_panel"]) - share) < 1e-5, f"{row}: {share} of the panel of {rig}"
+said = run("doctor", "--no-window", "--findings", "--folder", out)
+assert [line.split(":")[1].strip() for line in said.splitlines() if "the data of the study 'Rooms'" in line] == ["day-other.db", "day-room.db"], said
+
+# At the console a code is typed; then keys are pressed in a lesson, and the export has each of them.
+if shutil.which("xdotool"):
+    AT, FIELD = (20, 20), (440, 426)  # the console, and its field for a code (app/console/console.cpp lays it out)
+    (out / "keys.toml").write_text(re.sub(r"(?m)^window = .*", "window = { position = [1500, 900], size = [64, 36] }", (out / "room.toml").read_text())
+                                   + f"\n[console]\nwindow = {{ position = [{AT[0]}, {AT[1]}], size = [1280, 860] }}\n")
+    one, file = out / "one.toml", out / "keys.db"
+    one.write_text('title = "Keys"\nseed = 1\nparticipants = 1\nlessons = ["two-cushions"]\n[[arm]]\nname = "a"\nrig = "keys.toml"\n')
+    run("study", "codes", one, "-o", out / "one.csv")
+    code = (out / "one.csv").read_text().split(",")[-1].strip()
+    room = Session("--console", of=(one, out / "one.csv", file), rig="keys.toml")
+
+    def do(*what):
+        subprocess.run(["xdotool", *map(str, what)], check=True, stderr=subprocess.DEVNULL)
+
+    def press(key):
+        do("key", "--window", subprocess.run(["xdotool", "search", "--name", "Carom: screen"], capture_output=True, text=True).stdout.split()[0], key)
+
+    def asks_for_the_code():
+        """Types it at the console, and presses the tablet's button, until a page comes for it."""
+        do("mousemove", AT[0] + FIELD[0], AT[1] + FIELD[1], "click", "1")
+        time.sleep(0.5)
+        do("type", "--delay", "60", code.lower())
+        do("key", "Return")
+        time.sleep(1)
+        return "Before you begin" in room.send(None, go="called").text
+
+    wait_for("the console", lambda: subprocess.run(["xdotool", "search", "--name", "Carom: console"], capture_output=True, text=True).stdout.split())
+    assert "No code has been typed at the console" in room.send(None, go="called").text
+    wait_for("the code typed at the console", asks_for_the_code)
+    page = begin(room, code)
+    for _ in range(18):
+        page = room.send(page, go="next")
+    room.send(room.send(page, go="next"), go="rate", **{"unwell-before": "0"})
+    wait_for("the lesson", lambda: query("SELECT 1 FROM participation", file=file))
+    first = query("SELECT first_frame FROM participation", file=file)[0][0]
+
+    # Who goes to the right has the second velocity of this lesson, who goes to the left the third.
+    VELOCITY = "CASE WHEN v.celerity_x_m_s > 0.1 THEN 2 WHEN v.celerity_x_m_s < -0.1 THEN 3 ELSE 1 END"
+    FRAMES = "FROM frame f JOIN viewer v ON v.frame = f.number WHERE f.number >= ? ORDER BY f.number"
+
+    def presses(key, sql, value):
+        """Presses a key once the lesson runs, and waits until a frame has what it does."""
+        newest = lambda: query(f"SELECT {sql} {FRAMES} DESC LIMIT 1", first, file=file)
+        wait_for("the next frames", lambda: newest() and newest()[0][0] != value)
+        press(key)
+        wait_for(f"what {key} does", lambda: newest()[0][0] == value)
+
+    PATHS, CLOCKS = 4, 16  # bits of the column `views`, in the order of the keys in app/doc/playing.md
+    presses("F3", VELOCITY, 2)
+    presses("F4", VELOCITY, 3)
+    presses("p", f"f.views & {PATHS}", PATHS)
+    presses("c", f"f.views & {CLOCKS}", CLOCKS)
+    presses("p", f"f.views & {PATHS}", 0)
+    presses("F2", VELOCITY, 1)
+    room.end()
+    run("study", "export", file, "-o", out / "keys")
+    row, = rows_of(out / "keys", "behaviour.csv")
+    # By another method: what was pressed, and the changes in the frames that were seen.
+    assert row["velocities"] == "2 3 1" and row["views_switched"] == "3" and row["strokes"] == "0", row
+    seen = query(f"SELECT f.views, {VELOCITY} {FRAMES}", first, file=file)
+    moving = [velocity for _, velocity in seen if velocity != 1]  # each pass of the lesson begins at rest
+    assert sorted(set(moving)) == [2, 3] and moving == sorted(moving), seen
+    assert sum(bin((now[0] ^ later[0]) & (PATHS | CLOCKS)).count("1") for now, later in zip(seen, seen[1:])) == 3
 print(f"{PEOPLE} people, {len(games)} lessons of others")
