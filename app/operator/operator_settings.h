@@ -43,6 +43,7 @@ struct OperatorSettings {
   std::size_t lessonObservers = 0;     ///< number of velocities that it offers
   std::size_t lessonObserver = 0;      ///< the velocity that was chosen
   std::size_t lessonExplainedFor = 0;  ///< the velocity with which it explains
+  TimeViews lessonExplains;            ///< views that are on while it explains
   std::size_t task = 0;                ///< which task of the game, from 0
   std::vector<double> bestOfTask_j;    ///< least energy with which each was done in this session; 0: not yet
   ConsoleState console = ConsoleState::none;
