@@ -202,6 +202,7 @@ struct LivePlay {
                options.scenario.string()),
         sounds(soundsFor(setup, options.silent || options.noWindow)),
         classroom(openClass(options, setup, inputs, before)) {
+    journal.endWith([this] { return source.endForces(); });
     if (classroom) leader.teach(*classroom);
     const WrittenGame game = options.resume ? WrittenGame::resumed : WrittenGame::first;
     const bool isNew = options.study.empty() || !std::filesystem::exists(*options.session);

@@ -32,8 +32,14 @@ Wall smallOf(const Wall& wall) {
   return small;
 }
 
-/// Turns blending off: the image's alpha has no meaning.
-void drawOpaque(const ImDrawList*, const ImDrawCmd*) { glDisable(GL_BLEND); }
+/// Writes the image's colours as they are: its alpha has no meaning. A logical operation does that, and not
+/// blending turned off, for which Mesa's llvmpipe 22.3 colours tiles of 64 × 64 pixels by their place.
+void startCopying(const ImDrawList*, const ImDrawCmd*) {
+  glEnable(GL_COLOR_LOGIC_OP);
+  glLogicOp(GL_COPY);
+}
+
+void endCopying(const ImDrawList*, const ImDrawCmd*) { glDisable(GL_COLOR_LOGIC_OP); }
 
 /// Shrinks the rectangle to the image's aspect ratio, centred horizontally.
 void fit(const glm::ivec2& picture_px, ImVec2& from, ImVec2& to) {
@@ -110,10 +116,10 @@ void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImV
     list.AddText({from.x + width + 8.0F, corner.y}, ImGui::GetColorU32(kDim), node.c_str());
   }
   if (picture) {
-    list.AddCallback(drawOpaque, nullptr);
+    list.AddCallback(startCopying, nullptr);
     list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture->texture())), from, to,
                   {0, 1}, {1, 0});
-    list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+    list.AddCallback(endCopying, nullptr);
     list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Separator));
     if (frame.record.controls.blank)
       list.AddText({from.x + 8.0F, from.y + 8.0F}, ImGui::GetColorU32(kDim), texts::console::kBlack);

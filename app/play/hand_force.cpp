@@ -45,6 +45,7 @@ bool HandForce::isFelt(const HandInput& hand) const {
 }
 
 void HandForce::draw(HandInput& hand) {
+  const std::scoped_lock hold(reporting_);
   feels_ = isFelt(hand);
   const bool draws = feels_ && hand.held;
   if (!draws) base_m_ = wish_m_;
@@ -64,6 +65,7 @@ std::span<const Blow> HandForce::current(double now_s) {
 
 void HandForce::post(const HandInput& hand, bool buttonHeld, const std::optional<Holding>& holding,
                      double now_s, ViewerState& own) {
+  const std::scoped_lock hold(reporting_);
   ForceLaw law;
   law.up = laws_->deviceFromRoom(axes_.up);
   law.cue.scale = laws_->scale();
@@ -107,7 +109,8 @@ void HandForce::note(const HandView& view) {
 }
 
 std::vector<ForceNote> HandForce::finish() {
-  end();
+  channel_->end();
+  const std::scoped_lock hold(reporting_);
   const ForceReport& report = channel_->report();
   if (report.falls == std::exchange(falls_, report.falls)) return {};
   log::note(fmt::format("{}: no force, for {}", nameOf(setup_), toString(report.fall)));

@@ -3,6 +3,7 @@
 // cue, and lets blows be felt when they are seen.
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -54,9 +55,8 @@ class HandForce {
 
   /// Returns the notes since the last call.
   std::vector<ForceNote> takeNotes() { return std::exchange(notes_, {}); }
-  /// 0 N at once, for the end of the process. May be called from any thread.
-  void end() noexcept { channel_->end(); }
-  /// The same at the end of a session, whatever ends it. Says and returns why, if the device pushed.
+  /// 0 N at once, at the end of a session, whatever ends it. Says and returns why, if the device pushed. May
+  /// be called from any thread.
   std::vector<ForceNote> finish();
 
  private:
@@ -73,6 +73,7 @@ class HandForce {
   SeenBlows blows_;
   std::vector<Blow> felt_;  ///< that are not over
   std::vector<ForceNote> notes_;
+  std::mutex reporting_;  ///< over what the channel reports, and the next member
   std::uint64_t falls_ = 0;
   bool saidStiffness_ = false, wasPulling_ = false;
   bool feels_ = false;              ///< the hand that aims is the one at the device

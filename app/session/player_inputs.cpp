@@ -23,21 +23,13 @@ PlayerInputs::PlayerInputs(const Rig& rig, std::chrono::steady_clock::time_point
       hands_(rig.viewers.size(), InputDevices(rig.axes)) {
   for (std::size_t viewer = 0; viewer < hands_.size(); ++viewer)
     presses_.emplace_back(seenBy(roomGeometryOf(rig), viewer));
-  bool hasForce = false;
   for (const ViewerSetup& viewer : rig.viewers) {
     const bool isThere = viewer.force && (!people_ || viewer.force->kind == ForceKind::simulated);
     forces_.push_back(isThere
                           ? std::make_unique<HandForce>(*viewer.force, rig.axes,
                                                         createForce(*viewer.force, rig.axes, sessionStart))
                           : nullptr);
-    hasForce = hasForce || isThere;
   }
-  if (!hasForce) return;
-  onLeaving_.emplace([this] {
-    for (const auto& force : forces_) {
-      if (force) force->end();
-    }
-  });
 }
 
 PlayerInputs::~PlayerInputs() = default;

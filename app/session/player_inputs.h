@@ -16,7 +16,6 @@
 #include "app/session/decision.h"
 #include "app/session/wall_presses.h"
 #include "app/viewer/viewers.h"
-#include "cave/process/termination.h"
 #include "devices/usb/rumble.h"
 
 namespace carom {
@@ -76,7 +75,6 @@ class PlayerInputs {
   double onset_ = 0.0;  ///< share of the steered thrust
   Rumble rumble_;
   std::vector<std::unique_ptr<HandForce>> forces_;  ///< of each viewer; null without a device
-  std::optional<ClosedOnLeaving> onLeaving_;        ///< of forces: 0 N when the process ends
 };
 
 }  // namespace carom

@@ -17,7 +17,10 @@ void JournalListener::keep(std::unique_ptr<Journal> journal) {
   if (journal_) journal_->close();
   onLeaving_.reset();
   journal_ = std::move(journal);
-  if (journal_) onLeaving_.emplace([this] { journal_->close(); });
+  onLeaving_.emplace([this] {
+    if (lastNotes_) add(lastNotes_());
+    if (journal_) journal_->close();
+  });
 }
 
 void JournalListener::shown(const Decision& decision) {

@@ -1,9 +1,12 @@
 #pragma once
 // The listeners to the frames of a session.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/journal/journal.h"
 #include "app/session/frame_listener.h"
@@ -24,6 +27,11 @@ class JournalListener : public FrameListener {
   JournalListener(const JournalListener&) = delete;
   JournalListener& operator=(const JournalListener&) = delete;
 
+  /// What ends, and is noted in the journal, before it is closed as the process ends: whether or not there is
+  /// a journal, and also where no object is destroyed. May be called from another thread.
+  using LastNotes = std::function<std::vector<Note>()>;
+  void endWith(LastNotes lastNotes) { lastNotes_ = std::move(lastNotes); }
+
   /// Writes to `journal` from now on and closes the previous one. Null stops the writing.
   void keep(std::unique_ptr<Journal> journal);
 
@@ -35,8 +43,9 @@ class JournalListener : public FrameListener {
   void add(const std::vector<Note>& notes);
 
  private:
-  std::uint64_t last_ = 0;  ///< number of the last frame
+  std::atomic<std::uint64_t> last_ = 0;  ///< number of the last frame
   std::unique_ptr<Journal> journal_;
+  LastNotes lastNotes_;
   std::optional<ClosedOnLeaving> onLeaving_;  ///< closes the journal when the process ends
   const FrameStatistics* statistics_ = nullptr;
 };

@@ -1,6 +1,7 @@
 #include "engine/billiard/event_predictor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/billiard/contact_finder.h"
@@ -204,11 +205,23 @@ void EventPredictor::considerCushion(int i, const Leg& leg, int cushion, Predict
   best.ownTime = own;
 }
 
+// Whether a stroke acts before another that arrives at the same event: by their values, so that the order in
+// which they became known decides nothing.
+static bool actsFirst(const PuckStroke& a, const PuckStroke& b) {
+  const auto values = [](const PuckStroke& s) {
+    return std::array{s.hand.t, s.hand.x, s.hand.y, s.height, s.px, s.py, s.offset};
+  };
+  return values(a) < values(b);
+}
+
 void EventPredictor::considerStrokes(int i, PredictedEvent& best) const {
   const Leg leg = game_.flightOf(i);
   for (const int stroke : game_.pucks[i].strokes) {
     const double own = std::max(game_.arrivesAt(stroke, leg), leg.start.t);
-    if (own >= game_.discs[i].turnsAt || own >= best.ownTime) continue;
+    if (own >= game_.discs[i].turnsAt || own > best.ownTime) continue;
+    if (own == best.ownTime &&
+        (best.kind != PredictedKind::stroke || !actsFirst(game_.strokes[stroke], game_.strokes[best.with])))
+      continue;
     best = {};
     best.kind = PredictedKind::stroke;
     best.with = stroke;

@@ -1,7 +1,7 @@
 // How long a sample takes from its sending until a frame loop can read it: through the loopback, the
 // transport's thread, the decoder and the queue. With a core to spare, and with every core loaded by other
 // work. (Times are kept on one clock, since sender and reader are one program.)
-//   tracker_latency [SECONDS]     each of the two parts takes so long; 10 if not given
+//   tracker_latency [SECONDS]     each of the parts takes so long; 10 if not given
 //
 // The device's thread asks the system to be prompt (devices/tracker/realtime_thread.h); what it was granted
 // is printed. Sender and reader ask for a little more, so that their own waiting for a processor is not
@@ -24,6 +24,8 @@
 #include <vector>
 
 #include "devices/network/dtrack_tracker.h"
+#include "devices/network/osc_tracker.h"
+#include "devices/osc_sender.h"
 #include "devices/tracker/realtime_thread.h"
 
 namespace {
@@ -31,7 +33,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::microseconds;
 
-constexpr int kRate_hz = 240;
 constexpr std::uint16_t kPort = 45123;
 constexpr std::chrono::milliseconds kBegin{200};  // the tracker listens by then
 
@@ -45,8 +46,38 @@ void goBeforeTheDevice() {
   sched_setscheduler(0, SCHED_RR | SCHED_RESET_ON_FORK, &second);
 }
 
-/// Sends frames whose x says their number, and notes when each was sent.
-void send(std::vector<std::atomic<double>>& sent_s, Clock::time_point start) {
+/// What is sent at which rate, and what reads it. Poses have their number as x, in millimetres.
+struct Sender {
+  int rate_hz;
+  std::string (*frame)(std::size_t number, double due_s);
+  carom::Transport (*transport)();
+};
+
+std::string source() { return "udp://127.0.0.1:" + std::to_string(kPort); }
+
+std::string dtrackFrame(std::size_t number, double due_s) {
+  return "fr " + std::to_string(number + 1) + "\r\nts " + std::to_string(due_s) + "\r\n6d 1 [0 1.000][" +
+         std::to_string(number) + " 0 0][1 0 0 0 1 0 0 0 1]\r\n";
+}
+carom::Transport dtrack() { return carom::dtrackTransport(carom::readDtrackSource(source())); }
+
+std::string oscFrame(std::size_t number, double due_s) {
+  using carom::test::OscSender;
+  constexpr double kAnyDay_s = 4e9;  // since 1900
+  const auto bytes = OscSender::bundle(
+      {OscSender::message("/head/0", {static_cast<float>(number) * 1e-3F, 0, 0, 0, 0, 0, 1})},
+      kAnyDay_s + due_s);
+  return {bytes.begin(), bytes.end()};
+}
+carom::Transport osc() {
+  carom::OscMapping mapping;
+  mapping.pose.emplace("/head/{sensor}", false);
+  mapping.values = carom::readOscValues("x y z qx qy qz qw");
+  return carom::oscTransport(carom::readOscSource(source()), mapping);
+}
+
+/// Sends frames and notes when each was sent.
+void send(const Sender& sender, std::vector<std::atomic<double>>& sent_s, Clock::time_point start) {
   goBeforeTheDevice();
   const int descriptor = socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in to{};
@@ -54,17 +85,15 @@ void send(std::vector<std::atomic<double>>& sent_s, Clock::time_point start) {
   to.sin_port = htons(kPort);
   to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   for (std::size_t i = 0; i < sent_s.size(); ++i) {
-    std::this_thread::sleep_until(start + kBegin + i * microseconds(1'000'000 / kRate_hz));
-    const double due_s = static_cast<double>(i) / kRate_hz;
-    const std::string frame = "fr " + std::to_string(i + 1) + "\r\nts " + std::to_string(due_s) +
-                              "\r\n6d 1 [0 1.000][" + std::to_string(i) + " 0 0][1 0 0 0 1 0 0 0 1]\r\n";
+    std::this_thread::sleep_until(start + kBegin + i * microseconds(1'000'000 / sender.rate_hz));
+    const std::string frame = sender.frame(i, static_cast<double>(i) / sender.rate_hz);
     sent_s[i] = since_s(start);
     sendto(descriptor, frame.data(), frame.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
   }
   close(descriptor);
 }
 
-void measure(const char* what, int seconds, unsigned loaded) {
+void measure(const char* what, const Sender& by, int seconds, unsigned loaded) {
   std::atomic<bool> ended = false;
   std::vector<std::jthread> load;
   for (unsigned i = 0; i < loaded; ++i) {
@@ -74,11 +103,10 @@ void measure(const char* what, int seconds, unsigned loaded) {
     });
   }
   const Clock::time_point start = Clock::now();
-  carom::DeviceTracker tracker(
-      carom::dtrackTransport(carom::readDtrackSource("udp://127.0.0.1:" + std::to_string(kPort))), start);
+  carom::DeviceTracker tracker(by.transport(), start);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  std::vector<std::atomic<double>> sent_s(static_cast<std::size_t>(seconds) * kRate_hz);
-  std::jthread sender([&] { send(sent_s, start); });
+  std::vector<std::atomic<double>> sent_s(static_cast<std::size_t>(seconds * by.rate_hz));
+  std::jthread sender([&] { send(by, sent_s, start); });
   std::vector<double> delays_s;
   delays_s.reserve(sent_s.size());
   std::vector<carom::TrackerSample> samples;
@@ -128,7 +156,12 @@ int main(int argc, char** argv) {
     std::printf("granted to a device's thread: %s\n", nameOf(carom::askForPromptness()));
   }).join();
   goBeforeTheDevice();
-  measure("with a core to spare:", seconds, 0);
-  measure("with every core loaded:", seconds, std::max(1u, std::thread::hardware_concurrency()));
+  const unsigned all = std::max(1U, std::thread::hardware_concurrency());
+  measure("DTRACK, a core to spare:", {240, dtrackFrame, dtrack}, seconds, 0);
+  measure("DTRACK, every core loaded:", {240, dtrackFrame, dtrack}, seconds, all);
+  measure("OSC at 60 Hz:", {60, oscFrame, osc}, seconds, 0);
+  measure("OSC at 240 Hz:", {240, oscFrame, osc}, seconds, 0);
+  measure("OSC at 1000 Hz:", {1000, oscFrame, osc}, seconds, 0);
+  measure("OSC, every core loaded:", {1000, oscFrame, osc}, seconds, all);
   return 0;
 }

@@ -1,7 +1,10 @@
-"""What force_ends.sh says: a VRPN server of its own, whose arm draws a cue back until the session is asked to end."""
+"""What force_ends.sh says: a VRPN server of its own, whose arm draws a cue back until the session is asked to end, by an exception,
+and by the loss of a node."""
 
+import os
 import pathlib
 import re
+import signal
 import socket
 import sqlite3
 import struct
@@ -107,6 +110,13 @@ rig = (config / "rigs/single-screen.toml").read_text()
 rig = re.sub(r"(?m)^pixels = .*", "pixels = [320, 180]", rig)
 rig += f'\n[hand.force]\nkind = "vrpn"\nsource = "Arm@tcp://127.0.0.1:{arm.port}"\nforce_max_n = 9.0\n'
 (out / "room.toml").write_text(rig)
+(out / "two-nodes.toml").write_text(rig + f"""
+[[wall]]
+name = "second"
+node = 1
+pixels = [32, 18]
+{"".join(re.findall(r"(?m)^(?:lower|upper)_.*$" + chr(10), rig))}window = {{ position = [400, 0], size = [32, 18] }}
+""")
 
 
 def wait_until(what, holds, session, seconds=120.0):
@@ -120,45 +130,76 @@ def wait_until(what, holds, session, seconds=120.0):
     fail(f"not seen in time: {what}; the last force is {arm.force_n()} N")
 
 
-with open(out / "stderr", "w") as errors:
-    session = subprocess.Popen(
-        [carom, "cave", "--rig", out / "room.toml", "--scenario", "table", "--session", out / "game.db", "--silent"],
-        stderr=errors,
-    )  # fmt: skip
-    wait_until("the arm", lambda: "is there" in (out / "stderr").read_text(), session)
-    time.sleep(1.0)
+def draws():
+    """Presses, draws back and, if nothing is felt, lets go to try again: a late frame makes the force fall."""
+    step = int(time.monotonic() * 50) % 200
+    arm.pressed = step > 10
+    arm.draw(PULL_M * min(max(step - 30, 0) / 60.0, 1.0))
+    return arm.force_n() > 0.5
 
-    def draws():
-        """Presses, draws back and, if nothing is felt, lets go to try again: a late frame makes the force fall."""
-        step = int(time.monotonic() * 50) % 200
-        arm.pressed = step > 10
-        arm.draw(PULL_M * min(max(step - 30, 0) / 60.0, 1.0))
-        return arm.force_n() > 0.5
 
-    wait_until("a force", draws, session)
+# On a busy machine the watch over a silent game may come first.
+REASONS = "the session ended|the game said nothing for 100 ms|no pose for 20 ms|no tick for 20 ms|the loop is too slow"
+
+
+def ends_without_force(how, command, file, end):
+    """Plays until the arm is pushed, ends the session by `end`, and looks at what the arm, log and file are told."""
+    arm.forces.clear()
+    with open(out / "stderr", "w") as errors:
+        session = subprocess.Popen([*command, "--scenario", "table", "--session", file, "--silent"], stderr=errors)
+        wait_until("the arm", lambda: "is there" in (out / "stderr").read_text(), session)
+        time.sleep(1.0)
+        wait_until("a force", draws, session)
+        asked = end(session)
+        session.wait(timeout=240)
+    time.sleep(0.2)
+    zeroed, last_n = arm.forces[-1]
+    if last_n != 0.0:
+        fail(f"{how}: the last thing that the arm is told is {last_n} N")
+    pushed = [at for at, force in arm.forces if force > 0.0]
+    print(f"{how}: 0 N {1e3 * (zeroed - asked):.0f} ms later, {1e3 * (zeroed - pushed[-1]):.0f} ms after the last push")
+    if not re.search(f"no force, for ({REASONS})", (out / "stderr").read_text()):
+        fail(f"{how}: the log does not say why the force fell")
+    with sqlite3.connect(f"file:{file}?mode=ro", uri=True) as db:
+        off = db.execute("SELECT value FROM input WHERE what = 'force off' ORDER BY rowid DESC LIMIT 1").fetchall()
+    if not off or not re.search(REASONS, off[0][0]):
+        fail(f"{how}: the session file says of the end: {off}")
+    return session.returncode
+
+
+def by_signal(session):
     second = subprocess.run([carom, "doctor", out / "room.toml"], capture_output=True, text=True)
     if "is the force device of another session" not in second.stdout + second.stderr:
         fail("a second session is not told of the first: " + second.stdout + second.stderr)
     wait_until("a force again", draws, session)
-    asked = time.monotonic()
     session.terminate()
-    if session.wait(timeout=240) != 0:
-        fail("the session did not end well")
+    return time.monotonic()
 
-time.sleep(0.2)
-(zeroed, last_n) = arm.forces[-1]
-if last_n != 0.0:
-    fail(f"the last thing that the arm is told is {last_n} N")
-pushed = [at for at, force in arm.forces if force > 0.0]
-print(f"0 N {1e3 * (zeroed - asked):.0f} ms after the signal, {1e3 * (zeroed - pushed[-1]):.0f} ms after the last push")
-# On a busy machine the watch over a silent game may come first.
-REASONS = "the session ended|the game said nothing for 100 ms|no pose for 20 ms|no tick for 20 ms|the loop is too slow"
-if not re.search(f"no force, for ({REASONS})", (out / "stderr").read_text()):
-    fail("the log does not say why the force fell")
-with sqlite3.connect(f"file:{out / 'game.db'}?mode=ro", uri=True) as db:
-    off = db.execute("SELECT value FROM input WHERE what = 'force off' ORDER BY rowid DESC LIMIT 1").fetchall()
-if not off or not re.search(REASONS, off[0][0]):
-    fail(f"the session file says of the end: {off}")
+
+def by_exception(session):
+    (out / "throw").touch()
+    return time.monotonic()
+
+
+def by_lost_node(session):
+    nodes = subprocess.run(["pgrep", "-P", str(session.pid)], capture_output=True, text=True).stdout.split()
+    if len(nodes) != 2:
+        fail(f"expected two nodes, found {nodes}")
+    os.kill(max(map(int, nodes)), signal.SIGKILL)
+    return time.monotonic()
+
+
+if ends_without_force("by SIGTERM", [carom, "cave", "--rig", out / "room.toml"], out / "game.db", by_signal) != 0:
+    fail("the session did not end well")
+planted = ["env", f"LD_PRELOAD={os.environ['CAROM_PLANTED_EXCEPTION']}", f"CAROM_PLANTED_AT={out / 'throw'}"]
+if ends_without_force("by an exception", [*planted, carom, "cave", "--rig", out / "room.toml"], out / "thrown.db", by_exception) != 1:
+    fail("an exception is no error of the session")
+if "error: a planted exception" not in (out / "stderr").read_text():
+    fail("it is not said that something was thrown")
+mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]
+ends_without_force("by a lost node", [*mpirun, carom, "cave", "--rig", out / "two-nodes.toml"], out / "nodes.db", by_lost_node)
+if "error: node 1" not in (out / "stderr").read_text():
+    fail("it is not said that a node is lost")
 listed = subprocess.run([carom, "track", "--list", "--rig", out / "room.toml"], capture_output=True, text=True)
 if f"Arm@tcp://127.0.0.1:{arm.port} at most 9 N, 600 N/m, 200 Hz; it is there and sends its place" not in listed.stdout:
     fail("track --list does not name the arm: " + listed.stdout + listed.stderr)

@@ -307,5 +307,32 @@ TEST(BilliardStroke, refusesStrokesThatCannotBe) {
   EXPECT_DOUBLE_EQ(billiard.strike({0, 0.5, std::nullopt, {0.1, 0.0}}), 0.5);
 }
 
+// Hands on both sides of a puck at rest: their light arrives at one event.
+TEST(BilliardStroke, thoseThatArriveTogetherActInAnOrderOfTheirOwn) {
+  BilliardSetup setup = table(2.84, 1.42);
+  setup.pucks = {{"white", 0.0305, 0.02, 0.2, {0.0, 0.0}, {0.0, 0.0}},
+                 {"red", 0.0305, 0.02, 0.2, {0.6, 0.1}, {0.0, 0.0}}};
+  const Stroke left{0, 1.0, Vec3(-0.5, 0.0, 0.25), {0.21, 0.03}, 0.011};
+  const Stroke right{0, 1.0, Vec3(0.5, 0.0, 0.25), {0.07, -0.05}, -0.02};
+  const auto gameOf = [&](const std::vector<Stroke>& strokes) {
+    setup.strokes = strokes;
+    Billiard game(setup);
+    game.advanceTo(10.0);
+    return transcript(game, setup.pucks);
+  };
+  const std::string game = gameOf({left, right});
+  EXPECT_EQ(gameOf({right, left}), game);
+  for (const auto& [first, second] : {std::pair(left, right), std::pair(right, left)}) {
+    setup.strokes.clear();
+    Billiard live(setup);
+    live.advanceTo(3.0);
+    live.strike(first);
+    live.advanceTo(7.0);
+    live.strike(second);
+    live.advanceTo(10.0);
+    EXPECT_EQ(transcript(live, setup.pucks), game);
+  }
+}
+
 }  // namespace
 }  // namespace carom
