@@ -31,4 +31,18 @@ inline FileKey pose(std::string_view name, std::string_view sentence) {
        numbers("rotation_deg", 3, kTurn, "about the fixed x, then y, then z axis", {0.0, 0.0, 0.0})});
 }
 
+/// Where spacetime stands in the room; `ofRig`: its place is in the rig's unit.
+inline FileKey spacetimeKey(bool ofRig) {
+  constexpr Range kSize{.least = 0.1, .most = 100.0}, kScale{.least = 0.001, .most = 100.0};
+  constexpr Range kTime_s{.least = 0.0, .most = 600.0};
+  const FileKey place =
+      numbers("place", 3, {}, "of its foot's middle, in the room; left out: to the person's right");
+  return table(
+      "spacetime", "the game's spacetime as a thing in the room (key I)",
+      {ofRig ? inUnit(kUnitOfRig, place) : place, number("height_m", kSize, "of it in the room", 2.2),
+       number("scale", kScale, "metres of the room for a metre of the table, and of light", 0.25),
+       number("past_s", kTime_s, "board time from its foot to the present; left out: four fifths of it"),
+       number("future_s", kTime_s, "from the present to its top; left out: the rest")});
+}
+
 }  // namespace carom::declare

@@ -40,8 +40,8 @@ FileKey stopwatch() {
 
 }  // namespace
 
-FileKey viewsKey(std::string_view sentence) {
-  FileKey views = declare::texts("views", sentence);
+FileKey viewsKey(std::string_view sentence, std::string_view name) {
+  FileKey views = declare::texts(name, sentence);
   for (const NamedView& view : kNamedViews) views.choices.emplace_back(view.name);
   return views;
 }
@@ -58,6 +58,7 @@ FileKey lessonKeys() {
        words("notice", "what to look for"),
        words("number", "what comes out, and why", kLessonNumberLetters),
        viewsKey("views of time that it begins with"),
+       viewsKey("views of time that are on while it explains", "explains_views"),
        required(
            number("from_s", kNotNegative, "board time at the observer at which the lesson begins to show")),
        required(number("until_s", kPositive,

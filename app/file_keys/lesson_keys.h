@@ -10,7 +10,7 @@ namespace carom {
 inline constexpr std::size_t kLessonTextLetters = 160, kAnswerLetters = 70, kLessonNumberLetters = 230;
 
 /// Returns the key of the names of time views.
-FileKey viewsKey(std::string_view sentence);
+FileKey viewsKey(std::string_view sentence, std::string_view name = "views");
 
 FileKey lessonKeys();
 

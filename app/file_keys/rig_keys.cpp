@@ -320,7 +320,7 @@ const FileKey& rigKeys() {
                 "window is a "
                 "place inside it",
                 false),
-         comfort(),
+         comfort(), spacetimeKey(true),
          text("playlist",
               "the games that may be played in this room: a playlist file, beside the rig, or the name of a "
               "shipped "

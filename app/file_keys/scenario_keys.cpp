@@ -219,15 +219,16 @@ FileKey caption() {
 }  // namespace
 
 const FileKey& scenarioKeys() {
-  static const FileKey keys = table(
-      "scenario", "Carom scenario",
-      {text("title", "for people"),
-       flag("choices",
-            "the front wall offers Play, Lessons and Show me; left out: only where there is a lesson, "
-            "when it explains",
-            std::nullopt),
-       required(number("light_speed_m_s", kPositive, "speed of light")), board(), physics(), observer(),
-       tour(), puck(), body(), flash(), caption(), pulse(), lamp(), lessonKeys(), stroke(), taskKeys()});
+  static const FileKey keys =
+      table("scenario", "Carom scenario",
+            {text("title", "for people"),
+             flag("choices",
+                  "the front wall offers Play, Lessons and Show me; left out: only where there is a lesson, "
+                  "when it explains",
+                  std::nullopt),
+             required(number("light_speed_m_s", kPositive, "speed of light")), board(), physics(), observer(),
+             tour(), puck(), body(), flash(), caption(), pulse(), lamp(), lessonKeys(), stroke(), taskKeys(),
+             spacetimeKey(false)});
   return keys;
 }
 

@@ -18,6 +18,7 @@
 #include "devices/setup/tracker_setup.h"
 #include "engine/base/limits.h"
 #include "engine/base/pose.h"
+#include "engine/sculpture/sculpture_place.h"
 
 namespace carom {
 
@@ -109,6 +110,7 @@ struct Rig {
   /// Of a room: such a board, where no flat wall carries it.
   std::optional<Wall> panel{};
   ComfortSetup comfort;
+  SpacetimeSetup spacetime;
   std::filesystem::path playlist;          ///< of the room's visitors (app/files/playlist.h); empty: none
   std::optional<WindowPlacement> console;  ///< the operator's console, if it is requested
 };

@@ -76,6 +76,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     rig.comfort.most_u = readMost_u(*comfort);
     rig.comfort.aids = comfort->flag("aids");
   }
+  if (const auto table = root.table("spacetime")) rig.spacetime = readSpacetime(*table, placed.unit_m);
   if (const auto start = root.table("start")) rig.start = readStart(*start);
   if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
   if (const auto console = root.table("console")) {

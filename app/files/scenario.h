@@ -18,6 +18,7 @@
 #include "engine/base/limits.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/sampled_history.h"
+#include "engine/sculpture/sculpture_place.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/observer.h"
 #include "engine/spacetime/world_line.h"
@@ -68,7 +69,8 @@ struct Pulse {
 struct Lesson {
   LessonWords words;
   LessonPlan plan;
-  TimeViews views;  ///< that are on when it begins
+  TimeViews views;     ///< that are on when it begins
+  TimeViews explains;  ///< and while it explains
 };
 
 /// The world of a task: light that is slow, without relativity; contraction without any delay; all that is
@@ -113,9 +115,10 @@ struct Scenario {
   std::vector<FollowedLamp> lamps;  ///< with any, the hall's own light is off
   std::vector<Caption> captions;    ///< in the order of time, without overlap
   std::optional<Lesson> lesson;
-  std::vector<Task> tasks;   ///< one after the other
-  std::vector<Finding> odd;  ///< values that can be played but are unusual
-  bool choices = false;      ///< the front wall offers the visitor's choices (cave/record/choice.h)
+  std::vector<Task> tasks;                    ///< one after the other
+  std::vector<Finding> odd;                   ///< values that can be played but are unusual
+  std::optional<SpacetimeSetup> spacetime{};  ///< in the place of the rig's
+  bool choices = false;  ///< the front wall offers the visitor's choices (cave/record/choice.h)
 };
 
 /// Returns what the game offers on the front wall.

@@ -187,6 +187,7 @@ Scenario readScenario(const TomlFile& file, const std::string& name) {
     for (const BodyText& body : bodies) game.bodies.push_back(body.name);
     scenario.lesson = readLesson(*lesson, scenario.title, game);
   }
+  if (const auto table = root.table("spacetime")) scenario.spacetime = readSpacetime(*table);
   scenario.tasks = readTasks(root, scenario.billiard.pucks);
   scenario.choices = root.flag("choices", scenario.lesson.has_value());
   file.throwFaults();

@@ -48,11 +48,11 @@ std::string readWords(const TomlTable& table, std::string_view key) {
   return text;
 }
 
-TimeViews readViews(const TomlTable& table) {
+TimeViews readViews(const TomlTable& table, std::string_view key) {
   std::vector<std::string> names;
   for (const NamedView& view : kNamedViews) names.emplace_back(view.name);
   TimeViews views;
-  for (const PlacedText& given : table.texts("views")) {
+  for (const PlacedText& given : table.texts(key)) {
     const auto found = std::find(names.begin(), names.end(), given.text);
     if (found != names.end()) {
       views.*kNamedViews[static_cast<std::size_t>(found - names.begin())].value = 1;
@@ -147,6 +147,7 @@ Lesson readLesson(const TomlTable& table, const std::string& title, const Lesson
   words.notice = readWords(table, "notice");
   words.number = readWords(table, "number");
   lesson.views = readViews(table);
+  lesson.explains = readViews(table, "explains_views");
   lesson.plan = readLessonPlan(table, game);
   return lesson;
 }

@@ -13,8 +13,8 @@ namespace carom {
 /// Reads a text; one with more letters than declared is a fault.
 std::string readWords(const TomlTable& table, std::string_view key);
 
-/// Reads the key `views`: the names of time views. The others are off.
-TimeViews readViews(const TomlTable& table);
+/// Reads a key with the names of time views. The others are off.
+TimeViews readViews(const TomlTable& table, std::string_view key = "views");
 
 /// Reads the tasks of a game with these pucks.
 std::vector<Task> readTasks(const TomlTable& root, const std::vector<Puck>& pucks);

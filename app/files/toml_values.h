@@ -13,6 +13,7 @@
 #include "app/files/toml_file.h"
 #include "engine/base/limits.h"
 #include "engine/base/pose.h"
+#include "engine/sculpture/sculpture_place.h"
 
 namespace carom {
 
@@ -39,6 +40,17 @@ inline double readMost_u(const TomlTable& table) {
   const double most = kMostPlatformU / std::hypot(1.0, kMostPlatformU);
   const double beta = table.number("fastest_beta");
   return beta < most ? beta / std::sqrt(1.0 - beta * beta) : kMostPlatformU;
+}
+
+/// Reads where spacetime stands; `unit_m`: of the place.
+inline SpacetimeSetup readSpacetime(const TomlTable& table, double unit_m = 1.0) {
+  SpacetimeSetup setup;
+  if (table.has("place")) setup.place_m = toVec3(table.numbers<3>("place")) * unit_m;
+  setup.height_m = table.number("height_m");
+  setup.scale = table.number("scale");
+  if (table.has("past_s")) setup.past_s = table.number("past_s");
+  if (table.has("future_s")) setup.future_s = table.number("future_s");
+  return setup;
 }
 
 /// Records a fault if β is not below 1.

@@ -30,14 +30,22 @@ void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings
   settings.lesson = {};
   settings.lessonAnswers = settings.lessonObservers = 0;
   settings.lessonObserver = settings.lessonExplainedFor = 0;
+  settings.lessonExplains = {};
   if (!scenario.lesson) return;
   settings.lesson.phase = asks ? LessonPhase::asks : LessonPhase::shows;
   settings.lessonAnswers = scenario.lesson->words.answers.size();
   settings.lessonObservers = scenario.lesson->plan.observers.size();
   settings.lessonExplainedFor = scenario.lesson->plan.explainedFor;
+  settings.lessonExplains = scenario.lesson->explains;
   for (const NamedView& view : kNamedViews) {
     if (scenario.lesson->views.*view.value) settings.views.*view.value = 1;
   }
+}
+
+/// Turns on or off the views that are among `which`.
+static void setViews(const TimeViews& which, std::uint8_t value, TimeViews& views) {
+  for (const NamedView& view : kNamedViews)
+    if (which.*view.value) views.*view.value = value;
 }
 
 bool offersChoices(const OperatorSettings& settings) {
@@ -46,12 +54,15 @@ bool offersChoices(const OperatorSettings& settings) {
 }
 
 void explainInMotion(OperatorSettings& settings) {
-  if (settings.lesson.phase == LessonPhase::explains) settings.lessonObserver = settings.lessonExplainedFor;
+  if (settings.lesson.phase != LessonPhase::explains) return;
+  settings.lessonObserver = settings.lessonExplainedFor;
+  setViews(settings.lessonExplains, 1, settings.views);
 }
 
 bool goOn(OperatorSettings& settings) {
   const LessonState before = settings.lesson;
   settings.lesson = advance(before, settings.lessonAnswers, 0, true);
+  if (before.phase == LessonPhase::explains) setViews(settings.lessonExplains, 0, settings.views);
   explainInMotion(settings);
   return settings.lesson != before;
 }

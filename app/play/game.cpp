@@ -128,8 +128,9 @@ void Game::tellCrushed() {
     log::warn(crushedText(names_[frozen[crushed_].puck], frozen[crushed_].t_s));
 }
 
-void Game::forget(const World& world, std::span<const ObserverView> observers, FrameState& state) {
-  double before_s = std::numeric_limits<double>::infinity(), rowsBefore_m = before_s;
+void Game::forget(const World& world, std::span<const ObserverView> observers, FrameState& state,
+                  double keptFrom_s) {
+  double before_s = keptFrom_s, rowsBefore_m = std::numeric_limits<double>::infinity();
   const auto pucks = std::span(world.histories).subspan(kFirstPuck, billiard_.worldLines().size());
   for (const ObserverView& observer : observers) {
     before_s = std::min(before_s, forgettableBefore_s(pucks, observer));

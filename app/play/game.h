@@ -1,6 +1,7 @@
 #pragma once
 // The game on rank 0: a billiard simulated ahead of what anyone can see, and its changes in each frame.
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,9 +56,10 @@ class Game {
   /// soft puck that could not be followed.
   void advance(double t_s, FrameState& state);
 
-  /// Discards the history before `forgettableBefore_s` of all these observers, and tells every rank to do the
-  /// same with this frame.
-  void forget(const World& world, std::span<const ObserverView> observers, FrameState& state);
+  /// Discards the history before `forgettableBefore_s` of all these observers and before `keptFrom_s`, and
+  /// tells every rank to do the same with this frame.
+  void forget(const World& world, std::span<const ObserverView> observers, FrameState& state,
+              double keptFrom_s = std::numeric_limits<double>::infinity());
 
  private:
   void tellCrushed();

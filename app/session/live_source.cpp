@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/operator/lesson.h"
+#include "cave/scene/scene.h"
+#include "engine/sculpture/sculpture_reach.h"
 
 namespace carom {
 namespace {
@@ -22,7 +24,7 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       room_(rig, scenario, inputs_.trackers(rig, start.sessionStart), start.before),
       lesson_(scenario),
       game_(scenario, start.struck),
-      players_(scenario, start.before),
+      players_(rig, scenario, start.before),
       announcements_(rig, scenario, start.before),
       isNew_(!start.before) {
   inputs_.play(scenario);
@@ -36,7 +38,7 @@ void LiveSource::playAnew() {
   room_.start();
   lesson_ = LessonRun(scenario_);
   game_ = Game(scenario_);
-  players_ = Players(scenario_, {});
+  players_ = Players(rig_, scenario_, {});
   announcements_.play();
   frozen_.reset();
   driven_ = DriveMode::free;
@@ -58,8 +60,9 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   if (lastOf<StartTour>(input.commands)) room_.setOut();
   const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
   move({times, settings.eyeSeparation_m, pace, wish, inputs_.steering()}, settings, still, shot, decision);
+  players_.placeSculpture(decision.frame.record);
   const bool timePasses = !still && !shot;
-  const HandRules rules{settings, lesson_.asks(), timePasses && !scenario_.lesson};
+  const HandRules rules{settings, lesson_.asks(), timePasses && !scenario_.lesson, &world_};
   if (timePasses) Players::feel(world_, inputs_, decision.frame.record);
   players_.act(rules, room_.viewers(), inputs_, game_, announcements_, decision);
   if (timePasses) players_.see(world_, settings, announcements_, decision);
@@ -126,6 +129,21 @@ void LiveSource::seeFromPlaces(const FrameRecord& record,
   }
 }
 
+namespace {
+
+/// Returns the board time from which on histories are kept for the sculpture of spacetime, which shows more
+/// of them than any eye sees: also while it is not shown, in games with so few pucks that it can show them
+/// all.
+double keptForSculpture_s(const FrameRecord& record) {
+  constexpr double kMargin_s = 12.0;  // beyond what it shows, so that the oldest part is made as ever
+  if (!record.views.spacetime && record.pucks > kMostSculpted) return std::numeric_limits<double>::infinity();
+  const ObserverView& first = record.viewers.front().observer;
+  return first.middle.observation.t_s - kMargin_s -
+         sculptureReach_s(record.sculpture.place, first.headFromBoard.lightSpeed_m_s());
+}
+
+}  // namespace
+
 /// Plays the game on to the latest event that an eye sees. From time to time discards the past that no eye
 /// will see any more, not even in the best shot.
 void LiveSource::playGame(const OperatorSettings& settings, FrameState& frame) {
@@ -141,7 +159,7 @@ void LiveSource::playGame(const OperatorSettings& settings, FrameState& frame) {
   std::vector<ObserverView> observers{players_.earliest(record)};
   for (const ViewerState& viewer : record.present()) observers.push_back(viewer.observer);
   seeFromPlaces(record, [&](const ObserverView& view) { observers.push_back(view); });
-  game_.forget(world_, observers, frame);
+  game_.forget(world_, observers, frame, keptForSculpture_s(record));
 }
 
 void LiveSource::finish(const FrameTimes& given, Decision& decision) {

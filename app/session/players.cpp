@@ -25,8 +25,11 @@ void tellOf(HandForce& force, std::size_t viewer, Announcements& announcements, 
 
 }  // namespace
 
-Players::Players(const Scenario& scenario, const std::optional<FrameRecord>& before)
-    : scenario_(&scenario), cues_(kMostViewers, CueInteraction(scenario)), tasks_(scenario) {
+Players::Players(const Rig& rig, const Scenario& scenario, const std::optional<FrameRecord>& before)
+    : scenario_(&scenario),
+      cues_(kMostViewers, CueInteraction(scenario)),
+      tasks_(scenario),
+      sculpture_(rig, scenario, before) {
   if (before) match_ = Match(*before);
 }
 
@@ -66,6 +69,14 @@ void Players::act(std::size_t viewer, const HandRules& rules, const Viewers& vie
     decision.isHandled = true;
     hand.held = false;
   }
+  const SculptureStand::Touch touch = pointed || !rules.world
+                                          ? SculptureStand::Touch{}
+                                          : sculpture_.touch(hand, viewer, *rules.world, record);
+  announcements.sayTo(viewer, touch.said, decision);
+  if (touch.takes) {
+    hand.held = hand.pressed = false;
+    decision.isHandled = true;
+  }
   if (hand.pressed && !command && rules.asks) announcements.sayTo(viewer, texts::message::kAsks, decision);
   if (command) {
     decision.handCommands.push_back({*command, viewer});
@@ -77,6 +88,10 @@ void Players::act(std::size_t viewer, const HandRules& rules, const Viewers& vie
   if (isNew && rules.mayStrike) cues_[viewer].offer(0, game, record, viewer);
   if (pointed && !own.hand.pulling) {
     own.hand.to_m = pointed->onWall_m;
+    own.hand.target = 0;
+  }
+  if (touch.takes) {
+    own.hand.to_m = touch.at_m;
     own.hand.target = 0;
   }
   if (outcome.stroke) struck(viewer, outcome, decision);

@@ -18,6 +18,7 @@
 #include "app/session/announcements.h"
 #include "app/session/decision.h"
 #include "app/session/player_inputs.h"
+#include "app/session/sculpture_stand.h"
 #include "app/session/task_run.h"
 
 namespace carom {
@@ -28,13 +29,14 @@ struct HandRules {
   bool asks = false;  ///< a lesson waits for an answer
   bool mayStrike =
       false;  ///< time passes, and the game is not that of a lesson, which is played again and again
+  const World* world = nullptr;  ///< as it was shown
 };
 
 class Players {
  public:
   /// With `before`, the match goes on from that frame of an earlier session. `scenario` must outlive this
   /// object.
-  Players(const Scenario& scenario, const std::optional<FrameRecord>& before);
+  Players(const Rig& rig, const Scenario& scenario, const std::optional<FrameRecord>& before);
 
   /// Begins to show the best shot again, or ends it; anything that a person does (`isInterrupted`) ends it as
   /// well.
@@ -46,6 +48,9 @@ class Players {
   /// Lets hands feel what their strokes do, in the frame in which it is seen and time passes. Before `act`,
   /// which posts it to the devices.
   static void feel(const World& world, PlayerInputs& inputs, const FrameRecord& record);
+
+  /// Puts the sculpture of spacetime into the record of a frame whose viewers are set.
+  void placeSculpture(FrameRecord& record) { sculpture_.putInto(record); }
 
   /// Lets each hand act on the game: strokes, presses on buttons, answers.
   void act(const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs, Game& game,
@@ -78,6 +83,7 @@ class Players {
   ShotMemory shots_;
   ShotReplay replay_;
   TaskRun tasks_;
+  SculptureStand sculpture_;
   std::size_t answeredBy_ = 0;
   std::array<std::optional<std::size_t>, kMostViewers> held_{};  ///< the puck that each viewer holds
 };

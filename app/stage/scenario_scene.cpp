@@ -79,6 +79,43 @@ void warnOfLarge(const std::string& path) {
             : std::string(" of a kind that tells its number of faces only when it is read")));
 }
 
+/// Returns what stands in the room as spacetime: rigid pucks, those nearest to the middle of the board first,
+/// and bodies that move as told as lines, two centimetres to each side.
+SculptedGame sculptedOf(const Scenario& scenario) {
+  constexpr double kLine_m = 0.02, kMargin_m = 0.2, kLeast_m = 0.5;
+  const BilliardSetup& setup = scenario.billiard;
+  SculptedGame game;
+  game.hasCushions = setup.board.has_value();
+  const auto add = [&](std::size_t body, const Puck& puck) {
+    game.bodies.push_back({body, puck, colourOf(puck.name, body - kFirstPuck)});
+    game.top_m = std::max(game.top_m, puck.height_m);
+  };
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < setup.pucks.size(); ++i)
+    if (!setup.pucks[i].soft) order.push_back(i);
+  const auto away_m = [&](std::size_t i) { return glm::length(setup.pucks[i].position_m); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return away_m(a) < away_m(b); });
+  game.left = order.size() - std::min(order.size(), kMostSculpted);
+  order.resize(order.size() - game.left);
+  std::sort(order.begin(), order.end());
+  for (const std::size_t i : order) add(kFirstPuck + i, setup.pucks[i]);
+  for (std::size_t i = 0; i < scenario.bodies.size() && game.bodies.size() < kMostSculpted; ++i) {
+    Puck line;
+    line.name = scenario.bodies[i].name;
+    line.radius_m = kLine_m;
+    add(kFirstPuck + setup.pucks.size() + i, line);
+  }
+  if (setup.board) {
+    game.half_m = 0.5 * glm::dvec2(setup.board->length_m, setup.board->width_m);
+    return game;
+  }
+  game.half_m = glm::dvec2(kLeast_m);
+  for (const std::size_t i : order)
+    game.half_m = glm::max(game.half_m, glm::abs(setup.pucks[i].position_m) + kMargin_m);
+  return game;
+}
+
 }  // namespace
 
 Tessellation tessellationFor(const Rig& rig, bool inSoftware) {
@@ -112,6 +149,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   }
   for (const Pulse& pulse : scenario.pulses) scene.pulses.push_back({pulse.at_s, pulse.path_m});
   if (scenario.lesson) scene.lesson = scenario.lesson->plan;
+  scene.sculpted = sculptedOf(scenario);
   scene.ruler = rulerBeside(scenario.billiard, scenario.observer.position_m);
   return scene;
 }

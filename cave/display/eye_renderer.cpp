@@ -51,10 +51,11 @@ EyeRenderer::EyeRenderer(Graphics& graphics, const Scene& scene, double lightSpe
 EyeRenderer::~EyeRenderer() { graphics_.makeCurrent(); }
 
 void EyeRenderer::draw(const FrameRecord& record, const World& world, const ObserverView& observer,
-                       const EyeView& eye, std::span<const PicturedWall> walls) {
+                       const EyeView& eye, std::span<const PicturedWall> walls, std::size_t viewer) {
   if (walls.empty()) return;
   const bool split = record.views.split != 0;
   look(renderer_, record.switches, record, world, observer, eye);
+  lookAtSculpture(record, world, observer, eye, viewer);
   drawPart(renderer_, split ? Part::left : Part::whole, eye, walls);
   if (!split) return;
   if (!beside_) beside_ = std::make_unique<WallRenderer>(graphics_, scene_, lightSpeed_m_s_);
@@ -84,6 +85,25 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
   if (!marks_) marks_ = std::make_unique<SpacetimeMarks>(scene_);
   marks_->look({observer, eye, switches, views, record.pucks, world.histories, bodies_, world.events, ghosts,
                 record.lesson, record.boardFromRoom});
+}
+
+/// The sculpture is the same for both halves of a split wall; its threads lead to what the left half shows.
+void EyeRenderer::lookAtSculpture(const FrameRecord& record, const World& world, const ObserverView& observer,
+                                  const EyeView& eye, std::size_t viewer) {
+  lines_.follow(record);
+  sculpted_ = record.views.spacetime != 0 && !scene_.sculpted.bodies.empty();
+  if (!sculpted_) return sculpture_.reset();
+  graphics_.makeCurrent();
+  if (!sculpture_) sculpture_ = std::make_unique<RoomSculpture>(scene_.sculpted);
+  const MarkContext sight{
+      observer, eye, record.switches, record.views, record.pucks, world.histories, bodies_, world.events, {}};
+  tops_.clear();
+  for (std::size_t i = 0; i < scene_.sculpted.bodies.size(); ++i) {
+    const SculptedBody& body = scene_.sculpted.bodies[i];
+    const OnBody seen(sight, bodies_[body.body], ViewTime::seen);
+    tops_.push_back({i, seen({0.0, 0.0, 0.5 * body.puck.height_m})});
+  }
+  sculpture_->look(record, world, lines_, eye.seenFromInRoom_m, viewer, tops_);
 }
 
 Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& record, const World& world,
@@ -123,6 +143,7 @@ void EyeRenderer::drawPart(WallRenderer& renderer, Part part, const EyeView& eye
     WallDrawing drawing;
     drawing.seenFromEye_m = eye.seenFromInRoom_m - eye.positionInRoom_m;
     drawing.left_px = part == Part::right ? split_px : 0;
+    drawing.sculpture = sculpted_ ? sculpture_.get() : nullptr;
     drawing.marks = marked_ ? marks_.get() : nullptr;
     const bool isCut = part != Part::whole && split_px > 0 && split_px < wall->pixels.x;
     drawing.cutAt = !isCut ? 0.0F : part == Part::left ? 1.0F : -1.0F;

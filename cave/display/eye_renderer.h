@@ -10,6 +10,7 @@
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
 #include "cave/record/frame_state.h"
+#include "cave/render/room_sculpture.h"
 #include "cave/render/spacetime_marks.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/wall.h"
@@ -48,9 +49,9 @@ class EyeRenderer {
   /// Draws what `eye` of `observer` sees on its walls. `world.histories[i]` is body i of the scene. A view of
   /// time creates what it needs when it is first turned on; turned off, it costs nothing. A scripted body
   /// that always rests on the board has no ghost "now on the board", and one that always moves with the room
-  /// has none of "my now".
+  /// has none of "my now". `viewer`: whose eye it is.
   void draw(const FrameRecord& record, const World& world, const ObserverView& observer, const EyeView& eye,
-            std::span<const PicturedWall> walls);
+            std::span<const PicturedWall> walls, std::size_t viewer = 0);
 
  private:
   enum class Part { whole, left, right };
@@ -58,6 +59,8 @@ class EyeRenderer {
             const ObserverView& observer, const EyeView& eye);
   Ghosts viewGhosts(const Switches& switches, const FrameRecord& record, const World& world,
                     const ObserverView& observer, const EyeView& eye);
+  void lookAtSculpture(const FrameRecord& record, const World& world, const ObserverView& observer,
+                       const EyeView& eye, std::size_t viewer);
   void drawPart(WallRenderer& renderer, Part part, const EyeView& eye, std::span<const PicturedWall> walls);
 
   Graphics& graphics_;
@@ -66,7 +69,10 @@ class EyeRenderer {
   WallRenderer renderer_;
   std::unique_ptr<WallRenderer> beside_;  // for the right halves: each renderer keeps its shaders
   std::unique_ptr<SpacetimeMarks> marks_;
-  bool marked_ = false;
+  OwnLines lines_;  // also while the sculpture is not shown
+  std::unique_ptr<RoomSculpture> sculpture_;
+  std::vector<RoomSculpture::SeenTop> tops_;
+  bool marked_ = false, sculpted_ = false;
   std::vector<BodyView> bodies_, boardNow_, myNow_;
   std::vector<Wall> parts_;            // halves of walls
   std::vector<WallPicture> pictures_;  // of the eye that is drawn

@@ -80,7 +80,7 @@ void WallPictures::drawFrom(const SeenFrame& seen, const World& world, const Obs
   }
   for (const PicturedWall& drawn : pictured_)
     flatEyes_.push_back({drawn.wall, {seen.viewer, eye}, drawn.picture, sees.positionInRoom_m});
-  session_->draw(seen.record, world, observer, sees, pictured_);
+  session_->draw(seen.record, world, observer, sees, pictured_, seen.viewer);
 }
 
 /// Adds the flat walls of an eye of a wall to those that are drawn next.

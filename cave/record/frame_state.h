@@ -16,6 +16,7 @@
 #include "cave/record/headset_frame.h"
 #include "cave/record/lesson_words.h"
 #include "cave/record/notice.h"
+#include "cave/record/sculpture_view.h"
 #include "cave/record/time_views.h"
 #include "cave/record/wall_controls.h"
 #include "engine/base/limits.h"
@@ -88,6 +89,7 @@ struct FrameRecord {
   Switches switches;      ///< which effects are drawn
   WallControls controls;  ///< the operator's other choices
   TimeViews views;
+  SculptureView sculpture;
   DriveView drive;
   LessonState lesson;
   ClassView classroom;  ///< of phones; the session file has its votes, and not this

@@ -148,6 +148,18 @@ void visit(Walls& walls, Fields& fields) {
   fields("comfort", walls.comfort, kFlag);
 }
 
+template <PartOf<SculptureView> Sculpture, typename Fields>
+void visit(Sculpture& sculpture, Fields& fields) {
+  fields("spacetime_", sculpture.place.roomFromFoot, kNumber);
+  fields("spacetime_height_m", sculpture.place.height_m, FieldKind{0.0, 100.0});
+  fields("spacetime_scale", sculpture.place.scale, FieldKind{0.0, 100.0});
+  fields("spacetime_past_s", sculpture.place.past_s, FieldKind{0.0, kLongestSculpture_s});
+  fields("spacetime_beta_", sculpture.place.beta, kVector);
+  fields("spacetime_picked", sculpture.picked, kCount);
+  fields("spacetime_compared", sculpture.compared, kCount);
+  fields("spacetime_held", sculpture.held, kFlag);
+}
+
 template <PartOf<DriveView> Drive, typename Fields>
 void visit(Drive& drive, Fields& fields) {
   fields("thrust_", drive.thrust, kVector);
@@ -218,6 +230,7 @@ void visit(Record& record, Fields& fields) {
   fields("views", record.views, kNamedViews);
   fields("beside", record.views.beside, kNamedSwitches);
   fields("light_speed_m_s", record.lightSpeed_m_s, kNumber);
+  visit(record.sculpture, fields);
   visit(record.controls, fields);
   visit(record.lesson, fields);
   visit(record.classroom, fields);

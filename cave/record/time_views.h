@@ -13,16 +13,17 @@ struct TimeViews {
   std::uint8_t boardNow = 0;  ///< ghosts of the bodies where they are at the person's board time
   std::uint8_t myNow =
       0;  ///< ghosts of the bodies where they are at the person's own time: simultaneous for the head
-  std::uint8_t paths = 0;   ///< paths of the pucks' centres over the cloth, past and future
-  std::uint8_t events = 0;  ///< markers where something happened, and the light of flashes on its way
-  std::uint8_t clocks = 0;  ///< each puck's own clock as it is seen, and the person's
-  std::uint8_t ruler = 0;   ///< a metre on the cloth, with light travelling along it
-  std::uint8_t angles = 0;  ///< angles between the paths of two pucks after they met
-  std::uint8_t split = 0;   ///< the right half of every wall is drawn with the switches `beside`
-  std::uint8_t frozen = 0;  ///< the view stays at one observation event while the head moves
-  std::uint8_t strain = 0;  ///< soft bodies show by their colours how much they are stretched or pressed
-  std::uint8_t heat = 0;    ///< or how hot they are
-  std::uint8_t news = 0;    ///< rings of news, at the speed of light, around each hit
+  std::uint8_t paths = 0;      ///< paths of the pucks' centres over the cloth, past and future
+  std::uint8_t events = 0;     ///< markers where something happened, and the light of flashes on its way
+  std::uint8_t clocks = 0;     ///< each puck's own clock as it is seen, and the person's
+  std::uint8_t ruler = 0;      ///< a metre on the cloth, with light travelling along it
+  std::uint8_t angles = 0;     ///< angles between the paths of two pucks after they met
+  std::uint8_t split = 0;      ///< the right half of every wall is drawn with the switches `beside`
+  std::uint8_t frozen = 0;     ///< the view stays at one observation event while the head moves
+  std::uint8_t strain = 0;     ///< soft bodies show by their colours how much they are stretched or pressed
+  std::uint8_t heat = 0;       ///< or how hot they are
+  std::uint8_t news = 0;       ///< rings of news, at the speed of light, around each hit
+  std::uint8_t spacetime = 0;  ///< the game's spacetime stands in the room, with time upwards
   Switches beside = kNoSwitches;  ///< switches of the right half: Newton's, unless chosen otherwise
 
   bool operator==(const TimeViews&) const = default;
@@ -43,7 +44,7 @@ struct NamedView {
 };
 
 /// A session file stores them as one number, whose bits are in this order.
-inline constexpr std::array<NamedView, 12> kNamedViews{{
+inline constexpr std::array<NamedView, 13> kNamedViews{{
     {"board-now", &TimeViews::boardNow, 'N', texts::keys::kBoardNow, texts::console::kBoardNowTip, nullptr,
      true},
     {"my-now", &TimeViews::myNow, 'M', texts::keys::kMyNow, texts::console::kMyNowTip, nullptr, true},
@@ -63,6 +64,8 @@ inline constexpr std::array<NamedView, 12> kNamedViews{{
     {"heat", &TimeViews::heat, kKeyF11, texts::keys::kHeat, texts::console::kHeatTip, texts::legend::kHeat,
      false},
     {"news", &TimeViews::news, '.', texts::keys::kNews, texts::console::kNewsTip, texts::legend::kNews, true},
+    {"spacetime", &TimeViews::spacetime, 'I', texts::keys::kSpacetime, texts::console::kSpacetimeTip,
+     texts::legend::kSpacetime, false},
 }};
 
 }  // namespace carom

@@ -57,6 +57,25 @@ class Resting {
   Vec3 eye_m_;
 };
 
+/// Computes where points of a body are drawn, at the moment that is viewed.
+class OnBody {
+ public:
+  OnBody(const MarkContext& sight, const BodyView& view, ViewTime moment)
+      : view_(view),
+        drawnFromSeen_(
+            ViewFrame(sight.observer.headFromBoard, sight.switches, moment).drawnFromSeen.matrix()) {}
+  glm::dvec3 operator()(const Vec3& offset_m) const {
+    const auto vertex = kernel::solveEmission(view_.legs.data(), static_cast<int>(view_.legs.size()),
+                                              offset_m, view_.retarded, view_.contracted);
+    const LegView& leg = view_.legs[static_cast<std::size_t>(vertex.leg)];
+    return kernel::rayThrough(drawnFromSeen_, kernel::seenFromEye(leg, vertex.event));
+  }
+
+ private:
+  const BodyView& view_;
+  glm::dmat4 drawnFromSeen_;
+};
+
 /// Returns the horizontal unit vector to the right of a person who looks at this place from between the eyes:
 /// plates face the person.
 inline Vec3 rightOf(const MarkContext& sight, const Vec3& place_m) {

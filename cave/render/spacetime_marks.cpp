@@ -16,25 +16,6 @@
 namespace carom {
 namespace {
 
-/// Computes where points of a body are drawn, at the moment that is viewed.
-class OnBody {
- public:
-  OnBody(const MarkContext& sight, const BodyView& view, ViewTime moment)
-      : view_(view),
-        drawnFromSeen_(
-            ViewFrame(sight.observer.headFromBoard, sight.switches, moment).drawnFromSeen.matrix()) {}
-  glm::dvec3 operator()(const Vec3& offset_m) const {
-    const auto vertex = kernel::solveEmission(view_.legs.data(), static_cast<int>(view_.legs.size()),
-                                              offset_m, view_.retarded, view_.contracted);
-    const LegView& leg = view_.legs[static_cast<std::size_t>(vertex.leg)];
-    return kernel::rayThrough(drawnFromSeen_, kernel::seenFromEye(leg, vertex.event));
-  }
-
- private:
-  const BodyView& view_;
-  glm::dmat4 drawnFromSeen_;
-};
-
 /// Adds an arc of the light's sphere: around the vertical at one height, or over the top at one azimuth.
 template <typename Direction>
 void addArc(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double radius_m,

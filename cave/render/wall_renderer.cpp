@@ -12,6 +12,7 @@
 #include "cave/render/body_drawer.h"
 #include "cave/render/draw_target.h"
 #include "cave/render/edge_smoother.h"
+#include "cave/render/room_sculpture.h"
 #include "cave/render/spacetime_marks.h"
 #include "cave/render/still_layers.h"
 #include "cave/room/off_axis.h"
@@ -103,11 +104,14 @@ std::size_t WallRenderer::draw(std::span<const WallPicture> walls, const glm::dv
 void WallRenderer::drawWall(const WallPicture& shown, const Seen& seen) {
   const auto& [wall, picture, drawing, meter] = shown;
   const int left_px = drawing.left_px;
-  if (!seen.choice || (seen.choice->parts.empty() && !drawing.marks)) {
+  if (!seen.choice || (seen.choice->parts.empty() && !drawing.marks && !drawing.sculpture)) {
     picture->clear(left_px, wall->pixels.x);
     return;
   }
   drawing_->drawBodies(*seen.choice, wall->pixels, {picture->framebuffer(), left_px});
+  if (drawing.sculpture)
+    drawing.sculpture->draw(glm::mat4(seen.choice->clipFromDrawn), drawing_->target.framebuffer(),
+                            wall->pixels, drawing.cutAt);
   if (drawing.marks) {
     drawing.marks->draw(glm::mat4(seen.choice->clipFromDrawn), drawing_->target.framebuffer(), wall->pixels,
                         drawing.cutAt);

@@ -23,13 +23,15 @@
 
 namespace carom {
 
+class RoomSculpture;
 class SpacetimeMarks;
 
 /// How one wall is drawn into its picture.
 struct WallDrawing {
-  glm::dvec3 seenFromEye_m{0.0};    ///< origin of seen places, relative to the eye; room axes
-  int left_px = 0;                  ///< column of the picture in which the wall begins
-  SpacetimeMarks* marks = nullptr;  ///< drawn among the bodies
+  glm::dvec3 seenFromEye_m{0.0};             ///< origin of seen places, relative to the eye; room axes
+  int left_px = 0;                           ///< column of the picture in which the wall begins
+  SpacetimeMarks* marks = nullptr;           ///< drawn among the bodies
+  const RoomSculpture* sculpture = nullptr;  ///< stands in the room
   float cutAt = 0.0F;  ///< the wall's border beyond which another picture continues: 1 right, −1 left, 0 none
   bool everything = false;  ///< draw also what the wall cannot show: the same picture, for comparison
 };

@@ -14,6 +14,7 @@
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene_part.h"
 #include "cave/scene/soft_model.h"
+#include "engine/billiard/billiard_setup.h"
 #include "engine/light/light_path.h"
 #include "engine/spacetime/world_line.h"
 
@@ -40,6 +41,23 @@ struct Ruler {
 /// long as the puck is high; its motion may double that.
 inline constexpr double kLongestShadow = 40.0;
 
+/// A body whose world tube stands in the room when spacetime is shown.
+struct SculptedBody {
+  std::size_t body = 0;
+  Puck puck;               ///< its outline and height
+  glm::vec3 colour{1.0F};  ///< linear light
+};
+
+/// What the sculpture of the game's spacetime shows (cave/render/room_sculpture.h).
+struct SculptedGame {
+  std::vector<SculptedBody> bodies;
+  glm::dvec2 half_m{1.0};  ///< from the board's middle to its cushions, or to the pucks
+  bool hasCushions = false;
+  double top_m = 0.0;    ///< height of the plane of the pucks' tops
+  std::size_t left = 0;  ///< bodies that are not shown, as there are too many
+};
+inline constexpr std::size_t kMostSculpted = 100;
+
 /// Its bodies are numbered as cave/frame/bodies.h says.
 struct Scene {
   std::vector<ScenePart> parts;
@@ -55,6 +73,7 @@ struct Scene {
   std::vector<ScenePart>
       casters;                  ///< table and hall, undivided: what throws shadows (cave/scene/baked_light.h)
   std::vector<SoftModel> soft;  ///< of the bodies that are soft or can become so, in their order
+  SculptedGame sculpted;
   std::vector<LightPath> pulses;
   Ruler ruler;
   LessonPlan lesson;

@@ -8,12 +8,14 @@
 #include <vtk_glew.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "cave/frame/bodies.h"
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/line_batch.h"
 #include "cave/render/draw_target.h"
 #include "cave/render/edge_smoother.h"
+#include "cave/render/room_sculpture.h"
 #include "cave/room/headset_walls.h"
 #include "cave/spectator/orbit_camera.h"
 #include "cave/spectator/outside_view.h"
@@ -77,6 +79,9 @@ struct SpectatorView::Drawing {
   std::vector<Corners> tableEdges;  ///< around the cloth and around the rails, on the board
   std::vector<BodySolid> bodies;
   std::optional<SoftSolids> soft;
+  SculptedGame sculpted;
+  OwnLines ownLines;
+  std::unique_ptr<RoomSculpture> sculpture;  ///< while it is shown
   LineBatch ribbons;
   std::vector<Ribbon> lines;
   OutsideView view;
@@ -89,6 +94,7 @@ struct SpectatorView::Drawing {
   void putOn(const HeadsetState& headset);
   void drawViewers(const FrameRecord& record) const;
   void drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories, float covers) const;
+  void drawSculpture(const FrameRecord& record, const World& world);
   void drawTable(const glm::dmat4& roomFromTable) const;
   void outline(const Wall& wall, std::span<const glm::dvec3> eyes_m);
   void drawLines(const FrameRecord& record, const std::optional<glm::dmat4>& roomFromTable);
@@ -129,6 +135,8 @@ void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const SceneP
     bodies.push_back({part.body, solids.upload(*part.mesh, part.colour)});
   }
   soft.emplace(scene, solids);
+  sculpture.reset();
+  sculpted = scene.sculpted;
 }
 
 void SpectatorView::Drawing::drawViewers(const FrameRecord& record) const {
@@ -151,6 +159,14 @@ void SpectatorView::Drawing::drawBodies(const RoomSimultaneity& moment, std::spa
     placed = part.body;
     if (place) solids.draw(part.solid, *place, covers);
   }
+}
+
+void SpectatorView::Drawing::drawSculpture(const FrameRecord& record, const World& world) {
+  ownLines.follow(record);
+  if (!record.views.spacetime || sculpted.bodies.empty()) return sculpture.reset();
+  if (!sculpture) sculpture = std::make_unique<RoomSculpture>(sculpted);
+  sculpture->look(record, world, ownLines, view.camera_m, 0, {});
+  sculpture->draw(glm::mat4(glm::translate(view.clipFromRoom, view.camera_m)), target.framebuffer(), size_px);
 }
 
 /// Draws only the table's nearest surface, by drawing its depth first.
@@ -260,6 +276,7 @@ void SpectatorView::draw(const FrameRecord& record, const World& world, const Di
   glDisable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   d.surfaces.drawNames(d.view);
+  d.drawSculpture(record, world);
   glViewport(0, 0, d.size_px.x, d.size_px.y);
   if (d.smoother) {
     d.smoother->copy(d.target, *d.picture, 0);

@@ -73,6 +73,8 @@ inline constexpr Text kAngles = "angles between the outgoing paths";
 inline constexpr Text kStrain = "colours: soft matter pressed (blue) or stretched (red)";
 inline constexpr Text kHeat = "colours: the heat of soft matter, dark to yellow";
 inline constexpr Text kNews = "rings: news of a hit, at the speed of light, in the pucks' colours";
+inline constexpr Text kSpacetime =
+    "glass: the game with time upwards; white line: what you see, blue: now on the board, pink: your now";
 inline constexpr Text kFrozen = "frozen view: walk around it";
 inline constexpr Text kClocks = "labels: each puck's proper time";
 inline constexpr Text kScore = "caroms  {}   strokes  {}";
@@ -109,6 +111,15 @@ inline constexpr Text kHallWall =
     "The drive stops in front of the hall's walls. Home brings you back to the table.";
 inline constexpr Text kLeftRoom = "You have left the room: you are behind its wall '{}'. Step back in.";
 inline constexpr Text kStillThere = "Still there? {}    Move or press to stay.";
+inline constexpr Text kSculptureFastest = "The glass is shown up to {:.2f} c, and no faster.";
+inline constexpr Text kSculptureSpeed = "The glass is shown as somebody at {:.2f} c has it.";
+inline constexpr Text kPicked =
+    "Event {}: what lies outside its double cone has no order of its own. Press on another event to compare.";
+inline constexpr Text kPickedTwo = "Events {} and {}: {:.2f} m apart, {:.2f} m of light between them. {}";
+inline constexpr Text kOneOrder = "Light can connect them: {} is first for everyone.";
+inline constexpr Text kNoOrder = "No light connects them. First is {} for the table, {} for you";
+inline constexpr Text kOrderOf = ", {} for {}", kNeitherFirst = "neither";
+inline constexpr Text kNotSculpted = "Spacetime shows the {} pucks nearest to the middle; {} are left out.";
 inline constexpr Text kNoConsole = "There is no console. carom cave --console opens one.";
 inline constexpr Text kReadOnly = "A recording cannot be changed: strokes and drive need a live game";
 inline constexpr Text kTurnedOn = "{}: on", kTurnedOff = "{}: off";
@@ -292,6 +303,7 @@ inline constexpr Text kPaths = "paths", kEvents = "events", kClocks = "clocks";
 inline constexpr Text kRuler = "ruler", kAngles = "angles";
 inline constexpr Text kStrain = "strain of soft pucks", kHeat = "heat of soft pucks";
 inline constexpr Text kNews = "rings of news at each hit";
+inline constexpr Text kSpacetime = "spacetime as a thing in the room";
 inline constexpr Text kSplit = "Newton beside Einstein";
 inline constexpr Text kRightRetardation = "right half: light delay";
 inline constexpr Text kRightContraction = "right half: contraction";
@@ -442,6 +454,10 @@ inline constexpr Text kAnglesTip = "The angles between the outgoing paths of two
 inline constexpr Text kStrainTip =
     "Soft pucks in colours: blue where their matter is pressed, red where it is stretched.";
 inline constexpr Text kHeatTip = "Soft pucks in colours of their heat, from dark through red to yellow.";
+inline constexpr Text kSpacetimeTip =
+    "The game stands in the room as a body of glass, with time upwards. A white line shows where you see "
+    "each "
+    "puck in it.";
 inline constexpr Text kNewsTip =
     "Rings over the cloth, in both pucks' colours: how far the news of each hit has come at the speed of "
     "light.";

@@ -8,12 +8,20 @@
 namespace carom {
 namespace {
 
-constexpr int kDiscPoints = 48;  // of a disc's rim: off by at most 0.2 % of the radius between them
-constexpr int kSidePoints = 6;   // of each side of an outline
-constexpr double kChord_m = 1e-4;
+constexpr int kDiscPoints = 48;       // of a disc's rim: off by at most 0.2 % of the radius between them
+constexpr int kSidePoints = 6;        // of each side of an outline
 constexpr double kShortest_s = 1e-9;  // events nearer in time are one
 
-/// Returns the places of the rim's points in the centre's rest frame.
+/// Returns the board time between two events of a piece whose chord is off by `chord_m`: h = |a| Δt²/8.
+double stepOn(const VertexPiece& piece, double chord_m) {
+  const Knot& knot = piece.onLeg->knot;
+  const double omega = std::abs(knot.spin.omega_rad_s), radius_m = glm::length(piece.onLeg->offset_m);
+  const double acceleration_m_s2 = knot.deceleration_m_s2 + omega * omega * radius_m;
+  return std::sqrt(8.0 * chord_m / std::max(acceleration_m_s2, 1e-6));
+}
+
+}  // namespace
+
 std::vector<Vec2> rimOf(const Puck& puck) {
   std::vector<Vec2> rim;
   if (puck.outline_m.empty()) {
@@ -30,16 +38,6 @@ std::vector<Vec2> rimOf(const Puck& puck) {
   return rim;
 }
 
-/// Returns the board time between two events of a piece whose chord is off by `kChord_m`: h = |a| Δt²/8.
-double stepOn(const VertexPiece& piece) {
-  const Knot& knot = piece.onLeg->knot;
-  const double omega = std::abs(knot.spin.omega_rad_s), radius_m = glm::length(piece.onLeg->offset_m);
-  const double acceleration_m_s2 = knot.deceleration_m_s2 + omega * omega * radius_m;
-  return std::sqrt(8.0 * kChord_m / std::max(acceleration_m_s2, 1e-6));
-}
-
-}  // namespace
-
 WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, double widened) {
   WorldTube tube{line.lightSpeed_m_s(), {std::max(span.from_s, line.appears_s()), span.until_s}, {}};
   for (const Vec2& point : rimOf(puck))
@@ -47,7 +45,8 @@ WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, d
   return tube;
 }
 
-std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Span& span, double c_m_s) {
+std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Span& span, double c_m_s,
+                               double chord_m) {
   std::vector<Event> events;
   const auto add = [&](const VertexPiece& piece, double t_s) {
     if (events.empty() || t_s > events.back().t_s + kShortest_s)
@@ -61,7 +60,7 @@ std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Sp
     if (!(begins_s <= ends_s)) continue;
     add(piece, begins_s);
     if (!piece.onLeg) continue;
-    const auto steps = static_cast<std::size_t>(std::ceil((ends_s - begins_s) / stepOn(piece)));
+    const auto steps = static_cast<std::size_t>(std::ceil((ends_s - begins_s) / stepOn(piece, chord_m)));
     for (std::size_t i = 1; i < steps; ++i)
       add(piece, begins_s + (ends_s - begins_s) * static_cast<double>(i) / static_cast<double>(steps));
   }
@@ -69,6 +68,26 @@ std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Sp
   if (events.size() > 1 && last.t_s < events.back().t_s + kShortest_s) events.pop_back();
   events.push_back(last);
   return events;
+}
+
+void addSides(const std::vector<std::vector<Event>>& events, std::uint32_t first,
+              std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  const std::uint32_t whole = first;
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const std::vector<Event>&a = events[k], &b = events[(k + 1) % events.size()];
+    const std::uint32_t other = k + 1 < events.size() ? first + static_cast<std::uint32_t>(a.size()) : whole;
+    for (std::uint32_t i = 0, j = 0; i + 1 < a.size() || j + 1 < b.size();) {
+      const bool alongA = j + 1 == b.size() || (i + 1 < a.size() && a[i + 1].t_s <= b[j + 1].t_s);
+      if (alongA) {
+        triangles.push_back({first + i, other + j, first + i + 1});
+        ++i;
+      } else {
+        triangles.push_back({first + i, other + j, other + j + 1});
+        ++j;
+      }
+    }
+    first = other;
+  }
 }
 
 SolidMesh solidOf(const WorldTube& tube, const SpacetimeFrame& frame) {
@@ -94,20 +113,7 @@ SolidMesh solidOf(const WorldTube& tube, const SpacetimeFrame& frame) {
       solid.triangles.push_back(above ? std::array{middle, here, next} : std::array{middle, next, here});
     }
   };
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const std::uint32_t other = (k + 1) % count;
-    const std::vector<Event>&a = events[k], &b = events[other];
-    for (std::uint32_t i = 0, j = 0; i + 1 < a.size() || j + 1 < b.size();) {
-      const bool alongA = j + 1 == b.size() || (i + 1 < a.size() && a[i + 1].t_s <= b[j + 1].t_s);
-      if (alongA) {
-        solid.triangles.push_back({firsts[k] + i, firsts[other] + j, firsts[k] + i + 1});
-        ++i;
-      } else {
-        solid.triangles.push_back({firsts[k] + i, firsts[other] + j, firsts[other] + j + 1});
-        ++j;
-      }
-    }
-  }
+  addSides(events, 0, solid.triangles);
   lid(false);
   lid(true);
   return solid;

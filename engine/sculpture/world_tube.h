@@ -3,6 +3,8 @@
 // the outline has a history of its own (engine/light/vertex_history.h), which the tube follows exactly: where
 // the puck turns, the side that is struck turns first.
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "engine/billiard/billiard_setup.h"
@@ -28,8 +30,18 @@ struct WorldTube {
 WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, double widened = 1.0);
 
 /// Returns the events of a history from the first to the second board time: at both, at every turn between,
-/// and where it does not move straight so near that its chords are off by less than a tenth of a millimetre.
-std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Span& span, double c_m_s);
+/// and where it does not move straight so near that its chords are off by less than `chord_m`.
+std::vector<Event> eventsAlong(const std::vector<VertexPiece>& history, const Span& span, double c_m_s,
+                               double chord_m = 1e-4);
+
+/// Adds the triangles between the events of neighbouring generators, in the order of their board times. The
+/// events are numbered from `first` on, generator by generator.
+void addSides(const std::vector<std::vector<Event>>& events, std::uint32_t first,
+              std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+/// Returns the places of the rim's points in the centre's rest frame, anticlockwise seen from above: of a
+/// disc or of an outline.
+std::vector<Vec2> rimOf(const Puck& puck);
 
 /// Returns the tube as a closed surface in a frame: the events of neighbouring generators, joined by
 /// triangles in the order of their board times, with a lid at each end.

@@ -782,6 +782,40 @@ TEST(LessonNumbers, Cause) {
       .has(aToB_s, 2);
 }
 
+TEST(LessonNumbers, OneSpacetime) {
+  const Scenario scenario = shipped("one-spacetime");
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  const Event a = flashNamed(scenario, "A").at, b = flashNamed(scenario, "B").at,
+              c = flashNamed(scenario, "C").at;
+  for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {a, c}}) {
+    EXPECT_GT(to.t_s, from.t_s) << "by the table's clocks";
+    EXPECT_LT(interval_m2(to - from, c_m_s), 0.0) << "no light connects them";
+  }
+  const Lesson& lesson = *scenario.lesson;
+  EXPECT_EQ(lesson.words.right, 2u);
+  EXPECT_EQ(lesson.views.spacetime, 1);
+  EXPECT_EQ(lesson.explains.spacetime, 1);
+  const Vec3 moving = uFromBeta(lesson.plan.observers.at(1).beta);
+  const double cToA_s = elapsedFor_s(moving, c, a, c_m_s), bToA_s = elapsedFor_s(moving, b, a, c_m_s);
+  EXPECT_GT(bToA_s, 0.0) << "B is before A for the friend,";
+  EXPECT_GT(cToA_s, bToA_s) << "and C before B: the third answer";
+  const Explained explained(scenario);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "From C to A, your frame")), cToA_s, 1e-9);
+  EXPECT_NEAR(explained.reads_s(watchNamed(scenario, "From B to A, your frame")), bToA_s, 1e-9);
+  const Event& now = explained.observer.middle.observation;
+  for (const Event& flash : {a, b, c}) {
+    EXPECT_LT(flash.t_s + glm::distance(flash.r_m, now.r_m) / c_m_s, now.t_s)
+        << "has been seen at the moment";
+  }
+  Numbers(claims(scenario))
+      .has(b.t_s - a.t_s, 2)
+      .has(c.t_s - a.t_s, 2)
+      .has(0.6, 1)
+      .has(cToA_s, 2)
+      .has(bToA_s, 2)
+      .has(1.0 / std::sqrt(1.0 - 0.36), 2);
+}
+
 TEST(LessonNumbers, MassEnergy) {
   const Scenario scenario = shipped("mass-energy");
   const double c_m_s = scenario.billiard.lightSpeed_m_s;

@@ -69,7 +69,7 @@ class PlayersAtRest : public testing::Test {
   RoomMotion room_{rig_, scenario_, inputs_.trackers(rig_, std::chrono::steady_clock::time_point()), {}};
   Game game_{scenario_};
   Announcements announcements_{rig_, scenario_, {}};
-  Players players_{scenario_, {}};
+  Players players_{rig_, scenario_, {}};
   OperatorSettings settings_;
   Decision decision_;
   RayPicking aim_;

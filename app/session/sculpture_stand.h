@@ -1,0 +1,57 @@
+#pragma once
+// Where the game's spacetime stands in the room, and in which frame it is shown.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/rig.h"
+#include "app/files/scenario.h"
+#include "app/play/sculpture_hands.h"
+#include "cave/record/frame_state.h"
+
+namespace carom {
+
+class SculptureStand {
+ public:
+  /// With `before`, as in that frame of an earlier session.
+  SculptureStand(const Rig& rig, const Scenario& scenario, const std::optional<FrameRecord>& before);
+
+  /// Puts it into the record of a frame whose viewers are set. In the first frame it is placed.
+  void putInto(FrameRecord& record);
+
+  struct Touch {
+    bool takes = false;  ///< the hand is the sculpture's
+    Vec3 at_m{0.0};      ///< where the hand holds it, room frame
+    std::string said;    ///< to the viewer; empty if nothing
+  };
+  /// Lets a viewer's hand act on it, while it is shown.
+  Touch touch(const HandInput& hand, std::size_t viewer, const World& world, FrameRecord& record);
+
+ private:
+  std::string wordsOf(const SculptureHands::Outcome& outcome, std::size_t viewer, const World& world,
+                      const FrameRecord& record) const;
+  std::string compare(const GameEvent& a, const GameEvent& b, std::size_t viewer,
+                      const FrameRecord& record) const;
+
+  SculptureHands hands_;
+  double topOfPucks_m_ = 0.0;
+  std::size_t sculpted_ = 0, left_ = 0;  // pucks that are shown, and that are not
+  bool wasShown_ = false;
+  std::vector<std::string> names_;  // of the viewers
+  std::string said_;                // while a hand holds it
+  SculptureView view_;
+  RoomAxes axes_;
+  std::optional<Vec3> place_m_;         // of its foot, if that is told
+  std::optional<Vec3> low_m_, high_m_;  // corners of the box around the walls
+  bool isPlaced_ = false;
+};
+
+/// Returns which of two events is first in a frame that moves with `beta` on the board: −1 the first, 1 the
+/// second, 0 neither. t_b' − t_a' = γ (Δt − β·Δr/c).
+int firstOf(const Event& a, const Event& b, const Vec3& beta, double c_m_s);
+
+/// Returns the pose of a sculpture that stands on the floor at a place of the room, turned as the board is.
+Pose standingAt(const Vec3& foot_m, const RoomAxes& axes, const Lorentz& boardFromRoom);
+
+}  // namespace carom

@@ -1,0 +1,68 @@
+#pragma once
+// Draws the glass of the sculpture of spacetime: tubes, panes and surfaces. Its corners are events of the
+// board; one matrix takes them to where they stand in the room, whatever frame the sculpture is shown in. It
+// is blended without an order: first all glass takes its share of the light behind it, by products, then all
+// of it adds the light of its own, by sums.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "cave/gl/gl_objects.h"
+
+namespace carom {
+
+/// How a piece of glass looks.
+struct GlassLook {
+  glm::vec3 colour{1.0F};  ///< sRGB
+  float taken = 0.1F;      ///< share of the light behind that it takes, of the other colours
+  float shine = 0.1F;      ///< share of its colour that it adds, seen straight on
+  float edge = 0.6F;       ///< and seen along its surface
+  float ahead = 0.3F;      ///< factor of all that for what lies above the present
+};
+
+/// Where the glass stands for one eye.
+struct GlassPlace {
+  glm::mat4 drawnFromEvent{1.0F};  ///< from (x, y, c t, 1) to places from the eye
+  glm::vec4 heightOfEvent{0.0F};   ///< row that gives the height over the foot, metres of the board
+  float present_m = 0.0F, top_m = 1.0F;
+};
+
+/// A surface of glass on the graphics card. Corners: (x, y, c t) metres.
+class GlassMesh {
+ public:
+  explicit GlassMesh(const GlProgram& program);
+  void upload(std::span<const glm::vec3> corners, std::span<const std::array<std::uint32_t, 3>> triangles);
+  void draw() const;
+
+ private:
+  VertexStream<glm::vec3> corners_;
+  GlBuffer triangles_;
+  int count_ = 0;
+};
+
+class GlassDrawer {
+ public:
+  /// Create and destroy it with the drawing context current.
+  GlassDrawer();
+
+  GlassMesh mesh() const { return GlassMesh(program_); }
+
+  struct Piece {
+    const GlassMesh* mesh = nullptr;
+    GlassLook look;
+  };
+  /// Draws all pieces. Call it within a GlStateGuard, with the depth test on.
+  void draw(std::span<const Piece> pieces, const GlassPlace& place, const glm::mat4& clipFromDrawn) const;
+
+ private:
+  GlProgram program_;
+};
+
+}  // namespace carom

@@ -1,0 +1,178 @@
+#include "cave/render/room_sculpture.h"
+
+#include <cmath>
+
+#include <vtk_glew.h>
+
+#include "cave/gl/gl_state_guard.h"
+#include "cave/gl/view_colours.h"
+#include "cave/render/sculpture_marks.h"
+#include "engine/sculpture/sculpture_reach.h"
+
+namespace carom {
+namespace {
+
+// Times on the graphics card are counted from a multiple of this, so that single precision is good to 0.03 mm
+// in the room.
+constexpr double kBase_s = 1024.0;
+constexpr int kCells = 12;  // of the light cone, across the rectangle
+
+SculptureMap mapOf(const FrameRecord& record) {
+  const ObserverView& first = record.viewers.front().observer;
+  return {record.sculpture.place, first.middle.observation, first.headFromBoard.lightSpeed_m_s()};
+}
+
+GlassLook tubeLook(const glm::vec3& colour) {
+  GlassLook look;
+  look.colour = codeOf(glm::max(colour, glm::vec3(0.06F)));
+  look.taken = 0.55F;
+  look.shine = 0.10F;
+  look.edge = 0.42F;
+  return look;
+}
+
+GlassLook paneLook(const glm::vec3& colour, float shine, float edge) {
+  return {colour, 0.0F, shine, edge, 1.0F};
+}
+
+}  // namespace
+
+RoomSculpture::RoomSculpture(const SculptedGame& game)
+    : shape_(game),
+      cushions_(glass_.mesh()),
+      seen_(glass_.mesh()),
+      boardNow_(glass_.mesh()),
+      myNow_(glass_.mesh()) {
+  for (const SculptedBody& body : game.bodies) tubes_.push_back({{}, glass_.mesh(), tubeLook(body.colour)});
+  for (const Tube& tube : tubes_) pieces_.push_back({&tube.mesh, tube.look});
+  pieces_.push_back({&cushions_, paneLook({0.55F, 0.75F, 0.70F}, 0.015F, 0.10F)});
+  pieces_.push_back({&boardNow_, paneLook(kBoardNowColour, 0.05F, 0.10F)});
+  pieces_.push_back({&myNow_, paneLook(kMyNowColour, 0.05F, 0.10F)});
+  pieces_.push_back({&seen_, paneLook(glm::vec3(1.0F, 0.98F, 0.9F), 0.06F, 0.16F)});
+}
+
+void RoomSculpture::follow(const FrameRecord& record, const World& world) {
+  if (frame_ == record.number) return;
+  frame_ = record.number;
+  shape_.follow(record, world);
+  followTubes(record, world);
+  makeSurfaces(record);
+}
+
+void RoomSculpture::followTubes(const FrameRecord& record, const World& world) {
+  const ObserverView& first = record.viewers.front().observer;
+  const double now_s = first.middle.observation.t_s;
+  const double past_s = sculptureReach_s(record.sculpture.place, first.headFromBoard.lightSpeed_m_s());
+  base_s_ = kBase_s * std::floor(now_s / kBase_s);
+  for (std::size_t i = 0; i < tubes_.size(); ++i) {
+    const SculptedBody& body = shape_.game().bodies[i];
+    Tube& tube = tubes_[i];
+    if (tube.shape.follow(body.puck, world.histories[body.body], past_s, now_s, base_s_))
+      tube.mesh.upload(tube.shape.points(), tube.shape.triangles());
+  }
+}
+
+/// Spreads the surfaces of all viewers over the rectangle, and the cushions as panes.
+void RoomSculpture::makeSurfaces(const FrameRecord& record) {
+  const double c_m_s = record.viewers.front().observer.headFromBoard.lightSpeed_m_s();
+  const auto corner = [&](const Event& event) {
+    return glm::vec3(event.r_m.x, event.r_m.y, c_m_s * (event.t_s - base_s_));
+  };
+  const auto sheet = [&](std::size_t viewer, ViewTime moment, int cells) {
+    const auto first = static_cast<std::uint32_t>(corners_.size()),
+               row = static_cast<std::uint32_t>(cells + 1);
+    for (int y = 0; y <= cells; ++y) {
+      for (int x = 0; x <= cells; ++x) {
+        const glm::dvec2 share(static_cast<double>(x) / cells, static_cast<double>(y) / cells);
+        const glm::dvec2 place_m = shape_.low_m() + (shape_.high_m() - shape_.low_m()) * share;
+        corners_.push_back(
+            corner(surfaceEvent(record.viewers[viewer].observer, moment, place_m, shape_.game().top_m)));
+      }
+    }
+    for (std::uint32_t y = 0; y + 1 < row; ++y) {
+      for (std::uint32_t x = 0; x + 1 < row; ++x) {
+        const std::uint32_t at = first + y * row + x;
+        triangles_.push_back({at, at + 1, at + row + 1});
+        triangles_.push_back({at, at + row + 1, at + row});
+      }
+    }
+  };
+  const auto fill = [&](GlassMesh& mesh, std::size_t viewers, ViewTime moment, int cells) {
+    corners_.clear();
+    triangles_.clear();
+    for (std::size_t viewer = 0; viewer < viewers; ++viewer) sheet(viewer, moment, cells);
+    mesh.upload(corners_, triangles_);
+  };
+  fill(seen_, record.viewerCount, ViewTime::seen, kCells);
+  fill(myNow_, record.viewerCount, ViewTime::myNow, 1);
+  fill(boardNow_, 1, ViewTime::boardNow, 1);
+  corners_.clear();
+  triangles_.clear();
+  const glm::dvec2 half_m = shape_.game().half_m;
+  const std::array<glm::dvec2, 4> around{{-half_m, {half_m.x, -half_m.y}, half_m, {-half_m.x, half_m.y}}};
+  const double now_s = record.viewers.front().observer.middle.observation.t_s;
+  const double reach_s = sculptureReach_s(record.sculpture.place, c_m_s);
+  for (std::uint32_t k = 0; k < 4 && shape_.game().hasCushions; ++k) {
+    for (const double t_s : {now_s - reach_s, now_s + reach_s})
+      for (const std::size_t at : {std::size_t{k}, std::size_t{k + 1} % 4})
+        corners_.push_back(corner({t_s, {around[at], 0.0}}));
+    triangles_.push_back({4 * k, 4 * k + 1, 4 * k + 3});
+    triangles_.push_back({4 * k, 4 * k + 3, 4 * k + 2});
+  }
+  cushions_.upload(corners_, triangles_);
+}
+
+// The map is affine: its matrix follows from where the origin and three unit steps are shown. The origin is
+// taken at the present, so that the differences are small.
+GlassPlace RoomSculpture::placeFrom(const SculptureMap& map, const Vec3& viewpoint_m) const {
+  const double c_m_s = map.lightSpeed_m_s();
+  const Event origin{map.present().t_s, Vec3(0.0)};
+  const double origin_m = c_m_s * (origin.t_s - base_s_);
+  const std::array<Event, 3> steps{Event{origin.t_s, {1.0, 0.0, 0.0}}, Event{origin.t_s, {0.0, 1.0, 0.0}},
+                                   Event{origin.t_s + 1.0 / c_m_s, Vec3(0.0)}};
+  const Vec3 room_m = map.room_m(origin), model_m = map.model_m(origin);
+  glm::dmat4 drawn(1.0);
+  glm::dvec4 height(0.0);
+  for (int k = 0; k < 3; ++k) {
+    const Event& step = steps[static_cast<std::size_t>(k)];
+    drawn[k] = glm::dvec4(map.room_m(step) - room_m, 0.0);
+    height[k] = map.model_m(step).z - model_m.z;
+  }
+  drawn[3] = glm::dvec4(room_m - viewpoint_m, 1.0) - drawn[2] * origin_m;
+  drawn[3].w = 1.0;
+  height.w = model_m.z - height.z * origin_m;
+  GlassPlace place;
+  place.drawnFromEvent = glm::mat4(drawn);
+  place.heightOfEvent = glm::vec4(height);
+  place.present_m = static_cast<float>(map.present_m());
+  place.top_m = static_cast<float>(map.top_m());
+  return place;
+}
+
+void RoomSculpture::look(const FrameRecord& record, const World& world, const OwnLines& lines,
+                         const Vec3& viewpoint_m, std::size_t viewer, std::span<const SeenTop> tops) {
+  follow(record, world);
+  const SculptureMap map = mapOf(record);
+  place_ = placeFrom(map, viewpoint_m);
+  marks_.batch.clear();
+  const SculptureSight sight{map, shape_, lines, record, world.events, viewpoint_m, viewer, marks_.memory};
+  addSculpture(sight, marks_.batch);
+  for (const SeenTop& top : tops) {
+    for (const TubeCut& cut : shape_.cuts())
+      if (cut.body == top.body && cut.viewer == viewer && cut.moment == ViewTime::seen)
+        addThread(sight, cut, top.drawn_m, marks_.batch);
+  }
+  marks_.drawer.upload(marks_.batch);
+}
+
+void RoomSculpture::draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, const glm::ivec2& size_px,
+                         float cutAt) const {
+  const GlStateGuard state(framebuffer, size_px);
+  glEnable(GL_DEPTH_TEST);
+  glass_.draw(pieces_, place_, clipFromDrawn);
+  glDepthMask(GL_FALSE);
+  blendOver();
+  marks_.drawer.draw(clipFromDrawn, cutAt);
+}
+
+}  // namespace carom

@@ -1,0 +1,98 @@
+// Tubes that grow with their games: what has grown is the same as what is made at once, its points are those
+// of the rim's whole histories, and a knot costs no more than what follows from it.
+#include "engine/sculpture/growing_tube.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/billiard/billiard.h"
+#include "engine/random_game.h"
+#include "engine/random_world.h"
+
+namespace carom {
+namespace {
+
+constexpr double kPast_s = 12.0;
+
+/// Returns how far a point is from the nearest of the rim's points at its time.
+double offRim_m(const glm::vec3& point, const std::vector<std::vector<VertexPiece>>& rim, double c_m_s) {
+  const double t_s = point.z / c_m_s;
+  double least_m = 1e9;
+  for (const auto& history : rim) {
+    const Vec3 place_m = placeAt(pieceAt(history, t_s), t_s, c_m_s);
+    least_m = std::min(least_m, std::hypot(place_m.x - point.x, place_m.y - point.y));
+  }
+  return least_m;
+}
+
+TEST(GrowingTube, GrownStepByStepItIsTheSameAsMadeAtOnce) {
+  int points = 0, grown = 0, games = 0;
+  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
+    const test::RandomGame game = test::randomGame(seed, {.events = 60, .packed = 8});
+    const BilliardSetup& setup = game.setup;
+    if (setup.pucks.size() > 12 || game.until_s > 60.0) continue;
+    SCOPED_TRACE(testing::Message() << "game " << seed << ", " << game.kind);
+    ++games;
+    const double c_m_s = setup.lightSpeed_m_s, until_s = std::min(game.until_s, 6.0);
+    std::vector<GrowingTube> tubes(setup.pucks.size());
+    Billiard billiard(setup);
+    for (int step = 1; step <= 30; ++step) {
+      const double now_s = until_s * step / 30.0;
+      billiard.advanceTo(now_s);
+      for (std::size_t puck = 0; puck < tubes.size(); ++puck)
+        grown += tubes[puck].follow(setup.pucks[puck], billiard.worldLines()[puck], kPast_s, now_s, 0.0);
+    }
+    for (std::size_t puck = 0; puck < tubes.size(); ++puck) {
+      const WorldLine& line = billiard.worldLines()[puck];
+      GrowingTube atOnce;
+      atOnce.follow(setup.pucks[puck], line, kPast_s, until_s, 0.0);
+      ASSERT_EQ(tubes[puck].points().size(), atOnce.points().size()) << "puck " << puck;
+      for (std::size_t i = 0; i < atOnce.points().size(); ++i) {
+        const glm::vec3 a = tubes[puck].points()[i], b = atOnce.points()[i];
+        ASSERT_EQ(a, b) << "puck " << puck << ", point " << i << ": " << a.x << ' ' << a.y << ' ' << a.z
+                        << ", expected " << b.x << ' ' << b.y << ' ' << b.z << "; now " << until_s * c_m_s;
+      }
+      ASSERT_TRUE(std::ranges::equal(tubes[puck].triangles(), atOnce.triangles()));
+      std::vector<std::vector<VertexPiece>> rim;
+      for (const Vec2& point_m : rimOf(setup.pucks[puck]))
+        rim.push_back(vertexHistory(line, Vec3(point_m, 0.5 * setup.pucks[puck].height_m)));
+      const auto made = atOnce.points();
+      for (std::size_t i = puck; i < made.size(); i += 41) {
+        if (std::abs(made[i].z) > 8.0F || glm::length(glm::vec2(made[i])) > 8.0F)
+          continue;  // single precision
+        ASSERT_LT(offRim_m(made[i], rim, c_m_s), 1e-6) << made[i].x << ' ' << made[i].y << ' ' << made[i].z;
+        ++points;
+      }
+    }
+  }
+  EXPECT_GT(points, 1000);
+  EXPECT_GT(grown, 100);
+  EXPECT_GT(games, 3);
+}
+
+// A stroke makes a game take another course: what the old one had after it is gone.
+TEST(GrowingTube, TakesBackWhatDoesNotHappen) {
+  test::Random random(3610);
+  for (int i = 0; i < 50; ++i) {
+    CASE(random, i);
+    Puck puck;
+    puck.radius_m = 0.03;
+    puck.height_m = 0.04;
+    const WorldLine whole = randomWorldLine(random, 1.42, puck.radius_m, 4, 0.5, 0.85);
+    WorldLine other = whole;
+    other.keepFirst(3);
+    const double now_s = whole.knots().back().turn.t_s;
+    GrowingTube tube, fresh;
+    tube.follow(puck, whole, kPast_s, now_s, 0.0);
+    EXPECT_TRUE(tube.follow(puck, other, kPast_s, now_s, 0.0));
+    EXPECT_FALSE(tube.follow(puck, other, kPast_s, now_s, 0.0));
+    fresh.follow(puck, other, kPast_s, now_s, 0.0);
+    ASSERT_TRUE(std::ranges::equal(tube.points(), fresh.points()));
+    ASSERT_TRUE(std::ranges::equal(tube.triangles(), fresh.triangles()));
+  }
+}
+
+}  // namespace
+}  // namespace carom

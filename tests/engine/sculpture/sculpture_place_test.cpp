@@ -1,0 +1,55 @@
+// Events of the board in the room: a boost keeps the present event and all intervals, and the order of two
+// events by their heights is that of the frame.
+#include "engine/sculpture/sculpture_place.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/random_world.h"
+
+namespace carom {
+namespace {
+
+constexpr double kC_m_s = 1.42;
+
+SculpturePlace placeOf(test::Random& random) {
+  SculpturePlace place;
+  place.roomFromFoot = {random.inBox(3.0),
+                        glm::angleAxis(random.in(-3.0, 3.0), glm::normalize(random.inBox(1.0)))};
+  place.scale = random.in(0.05, 1.0);
+  place.past_s = random.in(0.0, 8.0);
+  const double beta = random.in(0.0, kMostSculptureBeta), angle = random.in(0.0, 6.3);
+  place.beta = {beta * std::cos(angle), beta * std::sin(angle), 0.0};
+  return place;
+}
+
+/// Returns the square of the interval between two places of the model, time upwards.
+double square_m2(const Vec3& d) { return d.z * d.z - d.x * d.x - d.y * d.y; }
+
+TEST(SculpturePlace, ABoostKeepsThePresentEventAndAllIntervals) {
+  test::Random random(3620);
+  for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
+    const SculpturePlace place = placeOf(random);
+    SculpturePlace atRest = place;
+    atRest.beta = Vec3(0.0);
+    const Event present{random.in(0.0, 3600.0), random.inBox(2.0)};
+    const SculptureMap map(place, present, kC_m_s), still(atRest, present, kC_m_s);
+    EXPECT_LT(glm::distance(map.room_m(present), still.room_m(present)), 1e-9);
+    const Event a{present.t_s + random.in(-5.0, 5.0), {random.in(-2.0, 2.0), random.in(-2.0, 2.0), 0.04}};
+    const Event b{present.t_s + random.in(-5.0, 5.0), {random.in(-2.0, 2.0), random.in(-2.0, 2.0), 0.04}};
+    const Vec3 ofA = map.model_m(a), ofB = map.model_m(b);
+    ASSERT_NEAR(square_m2(ofB - ofA), interval_m2(b - a, kC_m_s), 1e-8);
+    ASSERT_NEAR(glm::distance(map.room_m(a), map.room_m(b)), place.scale * glm::length(ofB - ofA), 1e-9);
+    // A frame that moves with β has first what is first by t − β·r/c.
+    const double later_s = b.t_s - a.t_s - glm::dot(place.beta, b.r_m - a.r_m) / kC_m_s;
+    if (std::abs(later_s) > 1e-9) ASSERT_EQ(ofB.z > ofA.z, later_s > 0.0);
+    const Event again = map.eventAt(ofA, a.r_m.z);
+    ASSERT_NEAR(again.t_s, a.t_s, 1e-8);
+    ASSERT_LT(glm::distance(again.r_m, a.r_m), 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace carom
