@@ -354,6 +354,7 @@ int judgeAll(const DoctorOptions& options) {
   RoomOptions room;
   room.rig = *options.rig;
   room.doctor = true;
+  room.folder = options.folder;
   return runRoom(room);
 }
 

@@ -108,9 +108,9 @@ std::vector<std::string> doctorArguments(const RoomOptions& options, const RoomS
     arguments.emplace_back("--findings");
     if (session->options().noWindow) arguments.emplace_back("--no-window");
     if (session->options().byMouse) arguments.emplace_back("--by-mouse");
-    const std::filesystem::path folder = session->file().parent_path();
-    if (!folder.empty()) arguments.push_back(fmt::format("--folder={}", folder.string()));
   }
+  const std::filesystem::path folder = session ? session->file().parent_path() : options.folder;
+  if (!folder.empty()) arguments.push_back(fmt::format("--folder={}", folder.string()));
   return withoutArguments(std::move(arguments), without);
 }
 

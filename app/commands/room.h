@@ -17,8 +17,9 @@ struct RoomOptions {
   bool lineOnly = false;               ///< print the line of mpirun and start nothing
   std::vector<std::string> without{};  ///< hosts that are left out with their walls
   bool doctor = false;                 ///< run `carom doctor` on every node instead
-  bool noDoctor = false;               ///< do not run it before the session
-  bool pattern = false;                ///< show the test patterns instead
+  std::filesystem::path folder{};  ///< of session files, whose disk the doctor judges; empty: the current one
+  bool noDoctor = false;           ///< do not run it before the session
+  bool pattern = false;            ///< show the test patterns instead
 };
 
 /// Runs the session to its end. Returns the exit status: 0, or 1 after a message on standard error.

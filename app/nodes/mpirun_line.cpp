@@ -25,17 +25,17 @@ bool isOption(const std::string& argument, std::string_view option) {
 
 std::vector<std::string> hostsOf(const Rig& rig) {
   std::vector<std::string> hosts;
-  std::string missing;
+  std::string missing, twice;
   bool named = false;
   for (int rank = 0; rank < nodesOf(rig); ++rank) {
     const NodeSetup* node = nodeOf(rig, rank);
     const bool hasHost = node && !node->host.empty();
     const std::string host = hasHost ? node->host : "localhost";
-    if (!hosts.empty() && hosts.back() != host &&
+    if (twice.empty() && !hosts.empty() && hosts.back() != host &&
         std::find(hosts.begin(), hosts.end(), host) != hosts.end()) {
-      throw std::runtime_error(fmt::format(
+      twice = fmt::format(
           "node {} of the rig is on host {} again, expected the nodes of one host to follow each other", rank,
-          host));
+          host);
     }
     hosts.push_back(host);
     named = named || hasHost;
@@ -47,6 +47,7 @@ std::vector<std::string> hostsOf(const Rig& rig) {
         "for each of nodes 0 to {}",
         missing, nodesOf(rig) - 1));
   }
+  if (!twice.empty()) throw std::runtime_error(twice);
   return hosts;
 }
 
@@ -66,15 +67,18 @@ std::vector<std::string> mpirunLine(const Rig& rig, const std::string& program,
       words.insert(words.end(), {"--mca", channel, rig.start.network});
   }
   if (const auto& ports = rig.start.ports) {
-    const std::string first = std::to_string(ports->first),
-                      count = std::to_string(ports->last - ports->first + 1);
-    const std::string range = fmt::format("{}-{}", ports->first, ports->last);
-    for (const auto& [parameter, value] : {std::pair("btl_tcp_port_min_v4", first),
-                                           {"btl_tcp_port_range_v4", count},
-                                           {"btl_tcp_port_min_v6", first},
-                                           {"btl_tcp_port_range_v6", count},
-                                           {"oob_tcp_dynamic_ipv4_ports", range},
-                                           {"oob_tcp_dynamic_ipv6_ports", range}})
+    // Open MPI's daemons take all ports that they may have, so the nodes have ports of their own. Over IPv6
+    // the daemons do not talk.
+    const int daemons = std::max(4, (ports->last - ports->first + 1) / 10);
+    const std::string first = std::to_string(ports->first + daemons),
+                      count = std::to_string(ports->last - ports->first + 1 - daemons);
+    for (const auto& [parameter, value] :
+         {std::pair("oob_tcp_dynamic_ipv4_ports",
+                    fmt::format("{}-{}", ports->first, ports->first + daemons - 1)),
+          {"btl_tcp_port_min_v4", first},
+          {"btl_tcp_port_range_v4", count},
+          {"btl_tcp_port_min_v6", first},
+          {"btl_tcp_port_range_v6", count}})
       words.insert(words.end(), {"--mca", parameter, value});
   }
   for (const std::string& variable : rig.start.environment) words.insert(words.end(), {"-x", variable});

@@ -52,8 +52,9 @@ host = "cave-floor"
 RIG
 expected="mpirun -n 4 --host cave-front:1,cave-sides:2,cave-floor:1 --map-by slot --bind-to none"
 expected+=" --mca btl_tcp_if_include 10.0.0.0/24 --mca oob_tcp_if_include 10.0.0.0/24"
-expected+=" --mca btl_tcp_port_min_v4 47000 --mca btl_tcp_port_range_v4 100 --mca btl_tcp_port_min_v6 47000 --mca btl_tcp_port_range_v6 100"
-expected+=" --mca oob_tcp_dynamic_ipv4_ports 47000-47099 --mca oob_tcp_dynamic_ipv6_ports 47000-47099 -x SYNC=1 -x XAUTHORITY"
+expected+=" --mca oob_tcp_dynamic_ipv4_ports 47000-47009"
+expected+=" --mca btl_tcp_port_min_v4 47010 --mca btl_tcp_port_range_v4 90 --mca btl_tcp_port_min_v6 47010 --mca btl_tcp_port_range_v6 90"
+expected+=" -x SYNC=1 -x XAUTHORITY"
 expected+=" $carom cave --rig hosts.toml --switch colour=on --session 'my game.db'"
 [ "$("$carom" room --line hosts.toml --switch colour=on --session "my game.db")" = "$expected" ] ||
   fail "the line is $("$carom" room --line hosts.toml --switch colour=on --session "my game.db"), expected $expected"

@@ -44,7 +44,9 @@ TEST(SculpturePlace, ABoostKeepsThePresentEventAndAllIntervals) {
     ASSERT_NEAR(glm::distance(map.room_m(a), map.room_m(b)), place.scale * glm::length(ofB - ofA), 1e-9);
     // A frame that moves with β has first what is first by t − β·r/c.
     const double later_s = b.t_s - a.t_s - glm::dot(place.beta, b.r_m - a.r_m) / kC_m_s;
-    if (std::abs(later_s) > 1e-9) ASSERT_EQ(ofB.z > ofA.z, later_s > 0.0);
+    if (std::abs(later_s) > 1e-9) {
+      ASSERT_EQ(ofB.z > ofA.z, later_s > 0.0);
+    }
     const Event again = map.eventAt(ofA, a.r_m.z);
     ASSERT_NEAR(again.t_s, a.t_s, 1e-8);
     ASSERT_LT(glm::distance(again.r_m, a.r_m), 1e-8);
