@@ -12,12 +12,12 @@
 namespace carom {
 
 inline constexpr std::string_view kWelcome = "welcome", kShowMe = "show-me", kTasks = "tasks";
-inline constexpr std::array<std::string_view, 22> kLessons{
-    "comes-and-goes",    "seen-at-once",    "seen-length",   "parallel-tracks", "same-laws",
-    "two-cushions",      "bar-meets-bar",   "cause",         "light-clock",     "twins",
-    "twins-in-one-room", "train-in-tunnel", "train-aboard",  "pairs-4",         "angles",
-    "mass-energy",       "heavier",         "rolling-wheel", "spinning-disc",   "solid",
-    "bell-string",       "soft-and-rigid"};
+inline constexpr std::array<std::string_view, 23> kLessons{
+    "comes-and-goes", "seen-at-once",      "seen-length",     "parallel-tracks", "same-laws",
+    "two-cushions",   "bar-meets-bar",     "cause",           "one-spacetime",   "light-clock",
+    "twins",          "twins-in-one-room", "train-in-tunnel", "train-aboard",    "pairs-4",
+    "angles",         "mass-energy",       "heavier",         "rolling-wheel",   "spinning-disc",
+    "solid",          "bell-string",       "soft-and-rigid"};
 
 /// Returns the scenario file of a shipped game.
 std::string fileOfGame(std::string_view name);

@@ -205,11 +205,12 @@ void EventPredictor::considerCushion(int i, const Leg& leg, int cushion, Predict
   best.ownTime = own;
 }
 
-// Whether a stroke acts before another that arrives at the same event: by their values, so that the order in
-// which they became known decides nothing.
+// Whether a stroke acts before another that arrives at the same event: by values that a mirror image or a
+// turned board does not change, so that the order in which they became known decides nothing but between
+// strokes that are mirror images of each other.
 static bool actsFirst(const PuckStroke& a, const PuckStroke& b) {
   const auto values = [](const PuckStroke& s) {
-    return std::array{s.hand.t, s.hand.x, s.hand.y, s.height, s.px, s.py, s.offset};
+    return std::array{s.hand.t, s.height, s.px * s.px + s.py * s.py, std::abs(s.offset)};
   };
   return values(a) < values(b);
 }

@@ -155,7 +155,7 @@ TEST(Keys, ArrowsGoThroughARecordingAndMeanNothingInASession) {
 }
 
 TEST(Keys, AKeyThatDoesNothingSaysSoUnlessItSteersOrIsTheDesktops) {
-  for (const int key : {GLFW_KEY_I, GLFW_KEY_F9, GLFW_KEY_DOWN})
+  for (const int key : {GLFW_KEY_F9, GLFW_KEY_DOWN})
     EXPECT_EQ(commandsOf(key, {}), Commands{TellPerson{texts::message::kNoSuchKey}}) << key;
   for (const int key :
        {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q, GLFW_KEY_ESCAPE, GLFW_KEY_F12,
