@@ -137,6 +137,10 @@ void event(Wire& wire, Event& event) {
   vector(wire, event.r_m, kMostLinkPlace_m, "a place (m)");
 }
 template <class Wire>
+void lightSpeed(Wire& wire, double& speed_m_s) {
+  wire.within(speed_m_s, kLeastLightSpeed_m_s, kMostLightSpeed_m_s, "a speed of light (m/s)");
+}
+template <class Wire>
 void fields(Wire& wire, LinkHello& hello) {
   std::uint32_t magic = kMagic;
   wire.number(magic);
@@ -183,8 +187,7 @@ void fields(Wire& wire, LinkWelcome& welcome) {
   wire.within(welcome.rooms, 2U, kMostRooms, "a number of rooms");
   wire.within(welcome.room, 1U, welcome.rooms - 1, "a room's number");
   wire.within(welcome.apart_m, 0.0, kMostLinkPlace_m, "a distance of rooms (m)");
-  wire.within(welcome.lightSpeedShown_m_s, kLeastLightSpeed_m_s, kMostLightSpeed_m_s,
-              "a speed of light (m/s)");
+  lightSpeed(wire, welcome.lightSpeedShown_m_s);
   wire.within(welcome.board_s, -kMostBoard_s, kMostBoard_s, "a board time (s)");
   wire.text(welcome.scenario, kMostScenarioBytes, "a size of a scenario");
   wire.count(welcome.meshes, kMostLinkMeshes, "a number of meshes");
@@ -257,8 +260,7 @@ void fields(Wire& wire, LinkDigest& digest) {
 template <class Wire>
 void fields(Wire& wire, LinkSettings& settings) {
   wire.number(settings.number);
-  wire.within(settings.lightSpeedShown_m_s, kLeastLightSpeed_m_s, kMostLightSpeed_m_s,
-              "a speed of light (m/s)");
+  lightSpeed(wire, settings.lightSpeedShown_m_s);
   flag(wire, settings.isFrozen);
 }
 template <class Wire>
