@@ -96,8 +96,7 @@ SculptedGame sculptedOf(const Scenario& scenario) {
   const auto away_m = [&](std::size_t i) { return glm::length(setup.pucks[i].position_m); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return away_m(a) < away_m(b); });
-  game.left = order.size() - std::min(order.size(), kMostSculpted);
-  order.resize(order.size() - game.left);
+  order.resize(std::min(order.size(), kMostSculpted));
   std::sort(order.begin(), order.end());
   for (const std::size_t i : order) add(kFirstPuck + i, setup.pucks[i]);
   for (std::size_t i = 0; i < scenario.bodies.size() && game.bodies.size() < kMostSculpted; ++i) {

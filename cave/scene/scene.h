@@ -53,8 +53,7 @@ struct SculptedGame {
   std::vector<SculptedBody> bodies;
   glm::dvec2 half_m{1.0};  ///< from the board's middle to its cushions, or to the pucks
   bool hasCushions = false;
-  double top_m = 0.0;    ///< height of the plane of the pucks' tops
-  std::size_t left = 0;  ///< bodies that are not shown, as there are too many
+  double top_m = 0.0;  ///< height of the plane of the pucks' tops
 };
 inline constexpr std::size_t kMostSculpted = 100;
 
