@@ -23,10 +23,12 @@
 #include "app/tools/answers.h"
 #include "app/tools/calibrate.h"
 #include "app/tools/check.h"
+#include "app/tools/compare.h"
 #include "app/tools/filter.h"
 #include "app/tools/force.h"
 #include "app/tools/help.h"
 #include "app/tools/import.h"
+#include "app/tools/link.h"
 #include "app/tools/list.h"
 #include "app/tools/observe.h"
 #include "app/tools/simulate.h"
@@ -81,6 +83,7 @@ void addCommands(CLI::App& app, int& status) {
   addEvents(app, status);
   addDiagram(app, status);
   addExport(app, status);
+  addCompare(app, status);
   addAnswers(app, status);
   addStudy(app, status);
   addList(app, status);
@@ -94,6 +97,7 @@ void addCommands(CLI::App& app, int& status) {
   addTrack(app, status);
   addFilter(app, status);
   addForce(app, status);
+  addLinkTools(app, status);
   addHelp(app, status);
 }
 

@@ -42,7 +42,7 @@ void LineConnection::look(LinkClock::time_point now, const LinkLimits& limits, b
     if (now - begun_ > limits.handshake) end("it has not proven the key in time");
     return;
   }
-  // What was said last is on its way; the other end closes when it has read it.
+  // The last words are on their way; the other end closes when it has read them.
   if (shutAt_ && now - *shutAt_ > std::chrono::seconds(1)) end("it was closed here");
   // The first answer may take longer than any silence later.
   const bool isNew = traffic_.receivedBytes == 0;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/link/link_line.h"
+#include "app/link/line.h"
 #include "app/link/link_stream.h"
 #include "app/link/tls_stream.h"
 

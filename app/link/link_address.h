@@ -19,7 +19,7 @@ struct LinkAddress {
 };
 
 /// Returns the address that is written as "listen:[ADDRESS:]PORT" or "HOST[:PORT]", with IPv6 addresses in
-/// brackets. Throws std::invalid_argument with what is wrong and what was expected.
+/// brackets. Throws std::invalid_argument with the fault and the expected form.
 LinkAddress linkAddressOf(std::string_view text);
 
 }  // namespace carom

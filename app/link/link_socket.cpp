@@ -21,7 +21,7 @@ namespace {
 
 using Addresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 
-/// Returns what a name or address and a port stand for; in `why` what is wrong, if that is nothing.
+/// Returns the socket addresses of a name or address with its port; if there are none, the reason in `why`.
 Addresses addressesOf(const LinkAddress& address, std::string& why) {
   addrinfo hints{};
   hints.ai_family = address.listens && address.host.empty() ? AF_INET6 : AF_UNSPEC;

@@ -29,7 +29,7 @@ class LinkSocket {
 };
 
 /// Returns a socket that listens. An address that is left out means all, of IPv6 and IPv4. Throws
-/// std::runtime_error with the address and what is wrong.
+/// std::runtime_error with the address and the fault.
 LinkSocket listenAt(const LinkAddress& address);
 
 /// Returns the port on which a socket listens.
@@ -44,11 +44,11 @@ struct Called {
 std::optional<Called> nextCaller(const LinkSocket& listening);
 
 /// Begins to call; where a name has several addresses, the next one with each `attempt`. Returns no socket,
-/// and in `why` what is wrong, if it cannot. Looking up a name may take seconds.
+/// and the reason in `why`, if it cannot. Looking up a name may take seconds.
 LinkSocket callTo(const LinkAddress& address, std::size_t attempt, std::string& why);
 
-/// Returns whether a socket that calls has been answered; nothing while it is not known. Puts into `why` what
-/// went wrong.
+/// Returns whether a socket that calls has been answered; nothing while it is not known. Puts the
+/// fault into `why`.
 std::optional<bool> isAnswered(const LinkSocket& calling, std::string& why);
 
 }  // namespace carom

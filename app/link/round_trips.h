@@ -11,6 +11,8 @@ namespace carom {
 struct RoundTrip {
   double least_s = 0.0, median_s = 0.0, p99_s = 0.0;
   std::size_t count = 0;
+  double most_s = 0.0;
+  std::size_t stalls = 0;  ///< that took more than twice the median
 };
 
 /// The newest measurements. Allocates nothing.
@@ -27,7 +29,14 @@ class RoundTrips {
     std::array<double, kMost> sorted_s = all_s_;
     const auto end = sorted_s.begin() + static_cast<std::ptrdiff_t>(count_);
     std::sort(sorted_s.begin(), end);
-    return {sorted_s[0], sorted_s[count_ / 2], sorted_s[(count_ - 1) * 99 / 100], count_};
+    const double median_s = sorted_s[count_ / 2];
+    const auto stalls = end - std::upper_bound(sorted_s.begin(), end, 2.0 * median_s);
+    return {sorted_s[0],
+            median_s,
+            sorted_s[(count_ - 1) * 99 / 100],
+            count_,
+            sorted_s[count_ - 1],
+            static_cast<std::size_t>(stalls)};
   }
 
  private:

@@ -52,7 +52,7 @@ class TlsStream {
 
   State state() const { return state_; }
   int socket() const { return socket_; }
-  /// Returns how many bytes of what was written have not been sent yet.
+  /// Returns the number of written bytes that have not been sent yet.
   std::size_t unsent() const;
 
  private:
