@@ -19,6 +19,7 @@
 #include "app/files/config_folder.h"
 #include "app/files/playlist.h"
 #include "app/files/rig.h"
+#include "app/files/rig_checks.h"
 #include "app/files/rig_viewers.h"
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
@@ -176,6 +177,8 @@ bool tellRig(const std::filesystem::path& path, const FileOpeners& open) {
     fmt::print("words stand on a panel between {}, {} and {} m\n", words(rig.panel->lowerLeft_m),
                words(rig.panel->lowerRight_m), words(rig.panel->upperLeft_m));
   }
+  if (const auto warning = warningOf(rig.spacetime, rig))
+    log::warn(fmt::format("{}: {}", path.string(), *warning));
   if (isHeadset(rig))
     fmt::print("The walls hang on the head, before the eyes of a headset; a board stands in the room.\n");
   if (rig.comfort.most_u < kMostPlatformU || rig.comfort.aids) {
