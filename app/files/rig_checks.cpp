@@ -153,8 +153,7 @@ std::optional<std::string> warningOf(const SpacetimeSetup& setup, const Rig& rig
   if (glm::clamp(place_m, low_m, high_m) == place_m) return {};
   return fmt::format(
       "[spacetime] place = [{:.4g}, {:.4g}, {:.4g}] m lies outside the room: nobody can walk round it, "
-      "expected "
-      "a place between [{:.4g}, {:.4g}, {:.4g}] and [{:.4g}, {:.4g}, {:.4g}] m",
+      "expected a place between [{:.4g}, {:.4g}, {:.4g}] and [{:.4g}, {:.4g}, {:.4g}] m",
       place_m.x, place_m.y, place_m.z, low_m.x, low_m.y, low_m.z, high_m.x, high_m.y, high_m.z);
 }
 
