@@ -10,14 +10,13 @@ struct PageText {
 };
 
 /// In the page itself.
-inline constexpr std::array<PageText, 4> kPage{
+inline constexpr std::array<PageText, 3> kPage{
     {{"about", "A visit to a billiard table on which light is slow"},
      {"noScript",
       "This page computes what was seen. It needs scripts and WebGL 2, which every browser of the last years "
       "has: "
       "on an iPhone open it from a web site instead of from the files. The picture shows one moment of it."},
-     {"still", "What was seen, halfway through"},
-     {"opening", "Opening …"}}};
+     {"still", "What was seen, halfway through"}}};
 
 /// For its script.
 inline constexpr std::array<PageText, 46> kScript{{
@@ -69,8 +68,8 @@ inline constexpr std::array<PageText, 46> kScript{{
     {"lost", "The graphics card was taken away. Waiting for it …"},
     {"before", "Back one frame"},
     {"after", "On one frame"},
-    {"hide", "Close"},
     {"open", "Choices and events"},
+    {"told", "The visitor was told: {}"},
     {"nothing", "This page has no such picture."},
 }};
 

@@ -265,7 +265,7 @@ class Controls {
     this.facts.textContent = fill(texts.light, about.lightSpeed_m_s) + " · " +
       fill(texts.clock, view.own_s.toFixed(1), view.eyes.mono.event[0].toFixed(1), speed.toFixed(2));
     this.says.textContent = this.words();
-    this.clock.textContent = (this.game ? view.own_s : this.now_s).toFixed(1) + " s";
+    this.clock.textContent = (this.game ? view.own_s : this.now_s - this.shown.frames.from_s).toFixed(1) + " s";
     this.tellEvents(u);
   }
 
@@ -280,7 +280,7 @@ class Controls {
       return title + ": " + [null, question, todo + " " + notice, number][view.phase];
     }
     const caption = about.captions.find(one => view.own_s >= one.from_s && view.own_s < one.from_s + one.for_s);
-    return caption ? caption.text : texts.lookHow;
+    return caption ? fill(texts.told, caption.text) : texts.lookHow;
   }
 
   // The events so far, each with its place in the order of the present observer: by their own frame's time.

@@ -1,7 +1,7 @@
 // The picture: the program's own shaders (cave/render/shaders) in WebGL 2, over legs that the engine prepares.
 const kLegFloats = 68, kLegsInRow = 60;
 const kLegs = { rest: 0, one: 1, oneSpinning: 2, many: 3, manySpinning: 4 };
-const kPlain = 0;
+const kPlain = 0, kClock = 9;
 
 class Picture {
   constructor(canvas, content, engine) {
@@ -157,8 +157,11 @@ class Picture {
   plan(waits) {
     const { about, seen } = this, plan = [];
     let whole = true;
+    // First what rests and always looks the same, so that shadows lie on all of it.
+    const isStill = part => part.body === 0 && part.paint !== kClock;
+    const parts = [...about.parts.filter(isStill), ...about.parts.filter(part => !isStill(part))];
     for (const layer of seen.layers) {
-      for (const part of about.parts) {
+      for (const part of parts) {
         const isGhost = layer.moment > 0;
         if (isGhost && (part.body === 0 || part.isDecal)) continue;
         const key = [this.sortOf(layer, part.body, part), isGhost ? kPlain : part.paint, seen.effects, layer.moment].join("/");

@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 from chromium_page import OpenPage, content
+from page_engine_frames import in_board_axes
 
 carom, out = sys.argv[1], pathlib.Path(sys.argv[2])
 SEED = 20261127
@@ -103,19 +104,6 @@ def test_sight():
     print(f"sight: {count} points of observers up to 0.87 c: engine - carom observe {worst:.2g} m, kernel - engine "
           f"{worst_twin:.2g} m, graphics card - kernel {worst_card:.2g} m")
     assert count == 108 and worst < 1e-12 and worst_twin < 1e-9 and worst_card < 1e-5
-
-
-def in_board_axes(head_from_board, beta, place):
-    """A place in the head's frame with the axes of a rotation-free boost of the board's."""
-    gamma = 1 / math.sqrt(1 - sum(b * b for b in beta))
-    rows = [[gamma, *[-gamma * b for b in beta]]]
-    for i in range(3):
-        rows.append([-gamma * beta[i], *[(i == j) + gamma * gamma / (gamma + 1) * beta[i] * beta[j] for j in range(3)]])
-    # The rotation: (head from board) after (board from boosted).
-    inverse = [[rows[i][j] * (1 if (i == 0) == (j == 0) else -1) for j in range(4)] for i in range(4)]
-    head = [[head_from_board[4 * column + row] for column in range(4)] for row in range(4)]
-    turn = [[sum(head[i][k] * inverse[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
-    return [sum(turn[1 + i][1 + j] * place[i] for i in range(3)) for j in range(3)]
 
 
 def test_held():
