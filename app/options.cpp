@@ -14,6 +14,7 @@
 #include "app/commands/doctor.h"
 #include "app/commands/events.h"
 #include "app/commands/export.h"
+#include "app/commands/page.h"
 #include "app/commands/pattern.h"
 #include "app/commands/replay.h"
 #include "app/commands/room.h"
@@ -84,6 +85,7 @@ void addCommands(CLI::App& app, int& status) {
   addDiagram(app, status);
   addExport(app, status);
   addCompare(app, status);
+  addPage(app, status);
   addAnswers(app, status);
   addStudy(app, status);
   addList(app, status);

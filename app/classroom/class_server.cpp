@@ -250,7 +250,8 @@ void ClassServer::Host::Connection::respond(http::status status, const char* typ
   response_.set(http::field::cache_control, "no-store");
   response_.set("Content-Security-Policy", kPolicy);
   response_.set("X-Content-Type-Options", "nosniff");
-  response_.set("Referrer-Policy", "no-referrer");
+  // Under "no-referrer" a browser sends a form of ours with the origin "null", which isOurPage refuses.
+  response_.set("Referrer-Policy", "same-origin");
   response_.keep_alive(false);
   response_.body() = body;
   response_.prepare_payload();

@@ -22,6 +22,7 @@
 #include "app/study/study_progress.h"
 #include "app/study/study_tables.h"
 #include "cave/room/room_geometry.h"
+#include "engine/base/log.h"
 #include "engine/base/whole_file.h"
 
 namespace carom {
@@ -311,7 +312,9 @@ void exportStudy(const StudyExport& wanted) {
   }
   WholeFolder folder(wanted.folder);
   StudyFiles files;
-  for (const auto& session : sessions) {
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    const auto& session = sessions[i];
+    log::note(fmt::format("{}: session {} of {}", wanted.sessions[i].string(), i + 1, sessions.size()));
     for (const ParticipantRow& person : participantsIn(session->database)) {
       // A participant who came again on another day stands in a file of its own with the delayed test alone.
       const bool isNew = codes.insert(person.code).second;

@@ -57,6 +57,16 @@ std::string checkBox(const char* name, const char* words) {
   return fmt::format("<label><input type=\"checkbox\" name=\"{}\" value=\"yes\"> {}</label>", name, words);
 }
 
+/// Returns how a page says a band of the questions about the person.
+std::string bandWords(std::string band) {
+  if (band.ends_with('-')) return band.replace(band.size() - 1, 1, " or more");
+  if (band.starts_with("under-")) return band.replace(5, 1, " ");
+  if (band == "none") return "nothing";
+  if (band == "read") return "I have read about it";
+  if (band == "course") return "I have had a course";
+  return band;
+}
+
 /// Returns the words of one paragraph of Markdown as HTML.
 std::string inlineHtml(const std::string& words) {
   static const std::regex strong(R"(\*\*([^*]+)\*\*)"), em(R"(\*([^*]+)\*)");
@@ -101,9 +111,8 @@ std::string codePage(const std::string& title, const std::string& notice) {
 std::string consentPage(const StudyPageFrame& frame, const std::string& consent) {
   const std::string boxes =
       checkBox("part", "I have read this and take part.") +
-      checkBox("paths",
-               "The path of my head and hand may be handed on to other researchers. (This is free.)") +
-      checkBox("publish", "My answers may be published without my name. (This is free.)") +
+      checkBox("paths", "The path of my head and hand may be handed on to other researchers (if you like).") +
+      checkBox("publish", "My answers may be published without my name (if you like).") +
       checkBox("guardian", "I am under age, and my guardian's consent is here on paper.");
   return formPage(frame, "Before you begin", markdownHtml(consent) + fieldset("Your consent", boxes),
                   button("next", "Go on", "main"));
@@ -115,7 +124,7 @@ std::string backgroundPage(const StudyPageFrame& frame, bool asksGender) {
     if (std::string_view(question.id) == "gender" && !asksGender) continue;
     std::string bands;
     for (const char* band : question.bands) {
-      if (band) bands += radio(question.id, band, band, false);
+      if (band) bands += radio(question.id, band, bandWords(band), false);
     }
     if (bands.empty())
       bands = fmt::format("<input name=\"{0}\" aria-label=\"{1}\" maxlength=\"40\">", question.id,
@@ -192,7 +201,8 @@ std::string studyStyle() {
   return "*{box-sizing:border-box}body{margin:0;font:18px/1.5 sans-serif;color:#1b1b1b;background:#fff}\n"
          "main{max-width:40em;margin:0 auto;padding:1em}h1{font-size:1.3em}h2{font-size:1.1em}\n"
          "fieldset{border:1px solid #888;border-radius:6px;margin:1em 0;padding:.5em .8em}\n"
-         "legend{font-weight:bold;padding:0 .3em}label{display:block;padding:.45em 0;min-height:44px}\n"
+         "legend{font-weight:bold;padding:0;float:left;width:100%}label{display:block;"
+         "padding:.45em 0;min-height:44px}\n"
          ".row label{display:inline-block;margin-right:.9em}.row span{color:#444;margin-right:.9em}\n"
          "input[type=radio],input[type=checkbox]{width:22px;height:22px;vertical-align:-4px}\n"
          "#code{font:bold 1.5em monospace;text-transform:uppercase;width:8em;display:block;padding:.3em}\n"

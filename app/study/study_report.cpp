@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/files/config_folder.h"
+#include "engine/base/log.h"
 
 extern char** environ;
 
@@ -48,6 +49,7 @@ int writeStudyReport(const std::filesystem::path& folder) {
   if (*hasLme4 == 3)
     throw std::runtime_error(
         "R has no package lme4, expected the package r-cran-lme4: sudo apt install r-cran-lme4");
+  log::note("R computes models and intervals; of hundred people this takes some ten seconds.");
   const std::string script = (configFolder() / "studies" / "analyse.R").string();
   return statusOf({"Rscript", "--vanilla", script, folder.string()}).value_or(1);
 }

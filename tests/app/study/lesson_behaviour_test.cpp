@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "app/study/study_columns.h"
@@ -64,6 +65,31 @@ TEST(PathLength, ANoiseOfThreeTenthsOfAMillimetreIsUnderFiveCentimetresAMinute) 
     EXPECT_LT(path.length_m(), 0.05) << "seed " << seed;
     EXPECT_GT(path.rawLength_m(), 1.0) << "seed " << seed;
   }
+}
+
+// A game of 40 frames with strokes in five of them; the lesson is frames 10 to 29.
+TEST(Behaviour, CountsTheStrokesOfItsFramesAlone) {
+  SQLite::Database session(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  session.exec(
+      "CREATE TABLE session(key, value); INSERT INTO session VALUES('viewer', 'guest');"
+      "CREATE TABLE input(frame, what, value); CREATE TABLE stroke(frame, puck);"
+      "INSERT INTO stroke VALUES(9, 'white'), (10, 'white'), (20, 'red'), (29, 'white'), (30, 'white');"
+      "CREATE TABLE viewer(frame, name, known, room_x_m, room_y_m, room_z_m, celerity_x_m_s, "
+      "celerity_y_m_s, celerity_z_m_s, x_m, y_m, z_m);"
+      "CREATE TABLE frame(number, display_s, lesson_phase, blank, light_speed_m_s, head_sensor_qw, "
+      "head_sensor_qx, head_sensor_qy, head_sensor_qz, board_from_room_xx, board_from_room_xy, "
+      "board_from_room_xz, board_from_room_yx, board_from_room_yy, board_from_room_yz, board_from_room_zx, "
+      "board_from_room_zy, board_from_room_zz)");
+  for (int number = 0; number < 40; ++number) {
+    const std::string n = std::to_string(number);
+    session.exec("INSERT INTO viewer VALUES(" + n + ", 'guest', 'known', 0, 1.7, 0, 0, 0, 0, 0, 0, 1)");
+    session.exec("INSERT INTO frame VALUES(" + n + ", " + n +
+                 ", 2, 0, 1.42, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1)");
+  }
+  const LessonBehaviour all = behaviourIn(session, 10, 30, {});
+  EXPECT_EQ(all.strokes, 3);
+  EXPECT_EQ(all.ask_s + all.show_s + all.explain_s, 19.0);
+  EXPECT_EQ(behaviourIn(session, 11, 20, {}).strokes, 0);
 }
 
 TEST(Masked, HidesAddressesAndLongNumbersAlone) {
