@@ -29,7 +29,7 @@ class OwnRoom {
   Stroke putOff(std::uint32_t viewer, const Stroke& stroke, const Lorentz& boardFromRoom) const;
   StrokeTold made(std::uint32_t viewer, const Stroke& stroke);
 
-  /// Goes on after so many strokes that were made in this room's place earlier in the game.
+  /// Goes on after this number of strokes, made in this room's place earlier in the game.
   void continueAfter(std::uint32_t strokes) { present_.strokes = strokes; }
 
   /// Returns the present after a frame, with new promises. `handsFromHeads_m`: of each person, in the room's
