@@ -126,6 +126,9 @@ void readFrames(SessionFile& session, std::size_t viewer, const VisitOptions& op
     if (record.display_s > options.until_s.value_or(1e300)) break;
     session.apply(state, world);
     changes.add(state);
+    for (const ViewerState& one : record.present())
+      for (const EyeView& eye : one.observer.all())
+        visit.known_s = std::max(visit.known_s, eye.observation.t_s);
     if (record.viewerCount <= viewer || record.number % options.every != 0 ||
         !isWithin(record.display_s, options))
       continue;
@@ -138,12 +141,8 @@ void readFrames(SessionFile& session, std::size_t viewer, const VisitOptions& op
     }
     visit.frames.push_back(frameOf(record, viewer));
     room_s.push_back(record.room_s);
-    for (const EyeView& eye : visit.frames.back().observer.all())
-      visit.known_s = std::max(visit.known_s, eye.observation.t_s);
   }
   checkFrames(visit, file, options);
-  // What became known after the last frame, none of them knows.
-  std::erase_if(visit.changes, [&](const VisitChange& one) { return one.frame >= visit.frames.size(); });
   visit.events = world.events;
   if (options.hasStillEyes) standStill(visit, room_s);
 }
