@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// Returns a number in its shortest form of at most so many digits.
+/// Returns a number in its shortest form, rounded to `digits` digits.
 inline std::string digitsOf(double number, int digits) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.*g", digits, number);

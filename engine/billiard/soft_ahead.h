@@ -37,7 +37,7 @@ class SoftAhead {
   Slice take();
 
  private:
-  class Player;  // and its thread: where there are none, nobody makes one
+  class Player;  // with its thread; made only for games with soft pucks
   std::unique_ptr<Player> player_;
 };
 

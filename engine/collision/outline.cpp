@@ -147,8 +147,8 @@ Outline::Outline(std::span<const Vec2> corners) : corners_(corners.begin(), corn
     convex_ = convex_ && cross2(sides_[k].along, sides_[(k + 1) % count].along) >= -1e-12;
 }
 
-// Of a convex outline the side of which the point is farthest outside. Of another the nearest side: inside
-// lies the part behind it, or nearest to a dent.
+// For a convex outline, takes the side from which the point lies farthest outside; for another, the nearest
+// side: the part behind it, or nearest to a dent, lies inside.
 Outline::Clearance Outline::clearanceOf(const Vec2& point) const {
   Clearance found;
   if (convex_) {
