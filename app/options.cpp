@@ -14,6 +14,7 @@
 #include "app/commands/doctor.h"
 #include "app/commands/events.h"
 #include "app/commands/export.h"
+#include "app/commands/page.h"
 #include "app/commands/pattern.h"
 #include "app/commands/replay.h"
 #include "app/commands/room.h"
@@ -23,10 +24,12 @@
 #include "app/tools/answers.h"
 #include "app/tools/calibrate.h"
 #include "app/tools/check.h"
+#include "app/tools/compare.h"
 #include "app/tools/filter.h"
 #include "app/tools/force.h"
 #include "app/tools/help.h"
 #include "app/tools/import.h"
+#include "app/tools/link.h"
 #include "app/tools/list.h"
 #include "app/tools/observe.h"
 #include "app/tools/simulate.h"
@@ -81,6 +84,8 @@ void addCommands(CLI::App& app, int& status) {
   addEvents(app, status);
   addDiagram(app, status);
   addExport(app, status);
+  addCompare(app, status);
+  addPage(app, status);
   addAnswers(app, status);
   addStudy(app, status);
   addList(app, status);
@@ -94,6 +99,7 @@ void addCommands(CLI::App& app, int& status) {
   addTrack(app, status);
   addFilter(app, status);
   addForce(app, status);
+  addLinkTools(app, status);
   addHelp(app, status);
 }
 

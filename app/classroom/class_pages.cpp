@@ -1,9 +1,6 @@
 #include "app/classroom/class_pages.h"
 
 #include <cstddef>
-#include <map>
-#include <stdexcept>
-#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -16,20 +13,6 @@
 
 namespace carom {
 namespace {
-
-using Words = std::map<std::string, std::string, std::less<>>;
-
-/// Returns the text with the words of each name in the place of {{name}}.
-std::string filled(std::string_view text, const Words& words) {
-  std::string whole;
-  for (std::size_t from = 0;;) {
-    const std::size_t begins = text.find("{{", from), ends = text.find("}}", begins);
-    if (ends == std::string_view::npos) return whole += text.substr(from);
-    whole += text.substr(from, begins - from);
-    whole += words.at(std::string(text.substr(begins + 2, ends - begins - 2)));
-    from = ends + 2;
-  }
-}
 
 /// Returns the words that the script needs, as a JavaScript value.
 std::string wordsOfScript() {
@@ -46,7 +29,7 @@ std::string wordsOfScript() {
 }  // namespace
 
 ClassPages classPages(const std::string& word) {
-  Words ofPage{{"word", htmlOf(word)}, {"language", texts::kLanguage}};
+  PageWords ofPage{{"word", htmlOf(word)}, {"language", texts::kLanguage}};
   for (const texts::phone::Named& text : texts::phone::kPage) ofPage[text.name] = htmlOf(text.words);
   return {filled(pages::class_html, ofPage), pages::class_css,
           filled(pages::class_js, {{"texts", wordsOfScript()}})};

@@ -8,6 +8,7 @@
 
 #include "app/commands/session_options.h"
 #include "app/files/config_folder.h"
+#include "app/link/link_address.h"
 #include "app/operator/visitor_choices.h"
 #include "app/tools/option_values.h"
 
@@ -131,6 +132,33 @@ void addSession(CLI::App& command, const std::shared_ptr<CaveOptions>& options) 
       ->type_name("FILE.json");
 }
 
+/// Adds what lets another room, elsewhere, play at the same table.
+void addLink(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
+  command
+      .add_option(
+          "--link", options->link,
+          "Play at one table with another room: listen:PORT waits for it, HOST or HOST:PORT calls it, "
+          "whose game is then played. The rig has [link] with the key that both share. Without a link no "
+          "socket is open")
+      ->type_name("listen:[ADDRESS:]PORT|HOST[:PORT]")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            try {
+              linkAddressOf(text);
+              return std::string();
+            } catch (const std::invalid_argument& error) {
+              return std::string(error.what());
+            }
+          },
+          ""))
+      ->excludes(command.get_option("--frames"))
+      ->excludes(command.get_option("--resume"))
+      ->excludes(command.get_option("--resume-or-new"))
+      ->excludes(command.get_option("--lesson"))
+      ->excludes(command.get_option("--class"))
+      ->excludes(command.get_option("--study"));
+}
+
 /// Adds what lets a session run without an operator.
 void addUnattended(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
   command
@@ -230,6 +258,7 @@ std::shared_ptr<CaveOptions> addCaveOptions(CLI::App& command) {
       "where the mouse does, and the left button is its trigger");
   addWithoutNodes(command, options->withoutNodes);
   addClassAndStudy(command, options);
+  addLink(command, options);
   addUnattended(command, options);
   addSilent(command, options->silent);
   addExtraWindows(command, options->extra);

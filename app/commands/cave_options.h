@@ -42,16 +42,17 @@ struct CaveOptions {
   std::string pin;           ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none
   bool hasClass = false;     ///< a class answers by phone
   std::string classAddress;  ///< on which its server listens; empty: that of the default route
-  std::uint16_t classPort = 8080;      ///< 0: any that is free
-  std::filesystem::path study;         ///< a study whose participants come one after the other; empty: none
-  std::filesystem::path slips;         ///< the codes of its participants
-  bool isAmended = false;              ///< the study was changed after its first participant
-  std::optional<LessonPhase> lesson;   ///< the phase in which a lesson begins; empty: the usual one
-  bool hideRight = false;              ///< lessons do not tell the right answer
-  double textSize = 1.0;               ///< of the walls' words, a factor
-  Switches switches;                   ///< at the start
-  TimeViews views;                     ///< at the start
-  ExtraWindows extra;                  ///< what rank 0 also shows
+  std::uint16_t classPort = 8080;     ///< 0: any that is free
+  std::string link;                   ///< with which room, as app/link/link_address.h; empty: as the rig says
+  std::filesystem::path study;        ///< a study whose participants come one after the other; empty: none
+  std::filesystem::path slips;        ///< the codes of its participants
+  bool isAmended = false;             ///< the study was changed after its first participant
+  std::optional<LessonPhase> lesson;  ///< the phase in which a lesson begins; empty: the usual one
+  bool hideRight = false;             ///< lessons do not tell the right answer
+  double textSize = 1.0;              ///< of the walls' words, a factor
+  Switches switches;                  ///< at the start
+  TimeViews views;                    ///< at the start
+  ExtraWindows extra;                 ///< what rank 0 also shows
   std::optional<double> unattended_s;  ///< the next visitor is welcomed after so long without a sign of life
 };
 

@@ -15,6 +15,7 @@
 #include "app/classroom/class_address.h"
 #include "app/classroom/class_desk.h"
 #include "app/classroom/study_desk.h"
+#include "app/commands/cave_link.h"
 #include "app/commands/session_frames.h"
 #include "app/files/config_folder.h"
 #include "app/files/rig_viewers.h"
@@ -97,6 +98,7 @@ std::unique_ptr<Journal> openJournal(const CaveOptions& options, WrittenGame gam
   facts.textSize = inputs.textSize;
   if (setup.headset) facts.eyePixels = {setup.headset->pixels().x, setup.headset->pixels().y};
   facts.hasClass = options.hasClass;
+  facts.isLinked = !options.link.empty();
   facts.isAnotherGame = game == WrittenGame::another;
   return std::make_unique<Journal>(*options.session, facts, game != WrittenGame::first);
 }
@@ -204,9 +206,11 @@ std::unique_ptr<StudyDesk> openStudy(StudyInputs given, const CaveOptions& optio
 
 /// Rank 0's objects for all games of the session.
 struct LivePlay {
+  /// `linked`: null without another room.
   LivePlay(const SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
-           const Before& before, const LiveStart& start)
-      : clock(clockOf(setup, options, start.sessionStart)),
+           const Before& before, const LiveStart& start, std::unique_ptr<CaveLink> linked)
+      : link(std::move(linked)),
+        clock(clockOf(setup, options, start.sessionStart)),
         pacer(pacerFor(setup, *clock, livedOf_s(start), start.firstFrame())),
         source(setup.rig, setup.scenario, setup.world, start),
         leader(source, keysOf(options), firstSettings(setup, options, inputs.scenario.file.string(), before),
@@ -219,7 +223,8 @@ struct LivePlay {
     std::optional<StudyInputs> given;
     if (!options.study.empty()) given.emplace(options);
     const WrittenGame game = options.resume ? WrittenGame::resumed : WrittenGame::first;
-    const bool isNew = options.study.empty() || !std::filesystem::exists(*options.session);
+    const bool isHall = link && link->joins();
+    const bool isNew = !isHall && (options.study.empty() || !std::filesystem::exists(*options.session));
     if (isNew) journal.keep(openJournal(options, game, inputs, setup));
     if (!given) return;
     journal.keep(nullptr);  // of a study the lessons alone are written
@@ -246,6 +251,7 @@ struct LivePlay {
 
   static double livedOf_s(const LiveStart& start) { return start.before ? start.before->display_s : 0.0; }
 
+  std::unique_ptr<CaveLink> link;  // null without --link
   std::unique_ptr<Clock> clock;
   std::unique_ptr<FramePacer> pacer;
   LiveSource source;
@@ -258,9 +264,24 @@ struct LivePlay {
   std::unique_ptr<StatusFile> status;  // null without --status
 };
 
+/// Opens the link, if another room plays, and begins its game, or waits for that of the other.
+std::unique_ptr<CaveLink> openLink(SessionSetup& setup, const CaveOptions& options,
+                                   const SetupOptions& inputs) {
+  if (options.link.empty()) return nullptr;
+  if (const std::string why = whyNotLinked(setup.scenario); !why.empty())
+    throw std::runtime_error(fmt::format("--link: {}: {}", inputs.scenario.file.string(), why));
+  auto link = std::make_unique<CaveLink>(setup.rig, inputs.rig.file, linkAddressOf(options.link));
+  if (link->joins()) {
+    link->wait();
+  } else {
+    link->play(inputs.scenario, setup.scenario);
+  }
+  return link;
+}
+
 /// Creates the play, at the start of the game or after the last frame of the session that is continued.
-std::unique_ptr<LivePlay> playOf(const SessionSetup& setup, const CaveOptions& options,
-                                 const SetupOptions& inputs, const Before& before) {
+std::unique_ptr<LivePlay> playOf(SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
+                                 const Before& before) {
   using SystemClock = std::chrono::steady_clock;
   LiveStart start{{}, before.last, options.frames};
   start.sessionStart = SystemClock::now() - std::chrono::duration_cast<SystemClock::duration>(
@@ -269,7 +290,9 @@ std::unique_ptr<LivePlay> playOf(const SessionSetup& setup, const CaveOptions& o
     constexpr bool kQuiet = true;  // whatWas has logged the warnings
     start.struck = SessionFile(*options.session, {}, kQuiet).strokes(setup.scenario.billiard.pucks);
   }
-  return std::make_unique<LivePlay>(setup, options, inputs, before, std::move(start));
+  std::unique_ptr<CaveLink> link = openLink(setup, options, inputs);
+  if (link) start.link = &link->room();
+  return std::make_unique<LivePlay>(setup, options, inputs, before, std::move(start), std::move(link));
 }
 
 /// Shows in the console why a scenario cannot be played.
@@ -306,22 +329,49 @@ bool writeNext(JournalListener& journal, CaveOptions& options, const NextGame& n
   return false;
 }
 
+constexpr const char* kSameGame = "-";  // in the place of a file: no other one follows
+
+/// Returns whether this room may choose its next game; says so if another room does.
+bool mayChoose(LivePlay& play) {
+  const std::string why = play.link->room().whyNotChoose();
+  if (!why.empty()) play.source.announce(why);
+  return why.empty();
+}
+
+/// Begins a game with or for the other room.
+void beginLinked(CaveLink& link, bool isInvited, const InputFile& game, Scenario& scenario) {
+  if (!isInvited) return link.play(game, scenario);
+  const std::string why = link.join(scenario);
+  if (why.empty()) return;
+  log::error(fmt::format("link: the game of the other room: {}", why));
+  link.refuse(why);
+  link.wait();
+}
+
 /// Continues on every node with the game that rank 0 has chosen, which may be the same from its beginning.
 /// Returns false if none was chosen, which ends the session. `play` is null on ranks other than 0.
 bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& inputs, SessionSetup& setup,
                      OperatorWindows& windows, LivePlay* play) {
   const NextGame next = play ? play->leader.takeNextGame() : NextGame{};
   std::string file = next.file;
+  CaveLink* const link = play ? play->link.get() : nullptr;
+  const bool isInvited = link && link->room().invitation() && file == CaveLink::invitedFile();
+  if (link && link->joins() && !isInvited && !file.empty() && !mayChoose(*play)) file = kSameGame;
   cluster.share(file);
   if (file.empty()) return false;
-  if (!playNext(cluster, setup, file)) {
+  if (file == kSameGame) return true;
+  InputFile game{file, {}};
+  if (isInvited) game.kept = link->room().invitation()->scenario;
+  if (!playNext(cluster, setup, game)) {
+    if (isInvited) link->refuse("its game cannot be played here");
     if (windows.console) tellConsole(*windows.console, file);
     if (play) play->source.announce("That game has a mistake: the terminal and the console say where");
     return true;
   }
-  inputs.scenario = {file, {}};
+  inputs.scenario = game;
   onAllRanks(cluster, [&] {
     if (!play) return;
+    if (link) beginLinked(*link, isInvited, game, setup.scenario);
     windows.play(setup);
     play->source.playAnew();
     if (play->classroom) play->classroom->play(lessonOf(setup), file);
@@ -433,10 +483,35 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   return {};
 }
 
+/// Settles with which room this one is linked, as the rig says or the options. A room that calls another
+/// plays that one's games.
+void settleLink(CaveOptions& options, SetupOptions& inputs) {
+  const Rig rig = readRig(inputs.rig);
+  const bool isPlain = !options.frames && !options.resume && !options.resumeOrNew && !options.lesson &&
+                       !options.hasClass && options.study.empty();
+  if (options.link.empty() && rig.link && isPlain) options.link = rig.link->with;
+  if (options.link.empty()) return;
+  for (const Wall& wall : rig.walls) {
+    if (wall.sky && wall.sky->from_m)
+      throw std::runtime_error(fmt::format(
+          "--link: wall {} shows what is seen from a place of its own, expected the eyes of viewers",
+          wall.name));
+  }
+  if (linkAddressOf(options.link).listens) return;
+  if (!options.isUsualGame)
+    throw std::runtime_error("--link: the room that calls plays the other's game, expected no --scenario");
+  if (!options.playlist.empty())
+    throw std::runtime_error("--link: the room that calls plays the other's games, expected no --playlist");
+  options.scenario = fileOfGame(kTwoCities);
+  inputs.scenario.file = options.scenario;
+}
+
 /// Settles on rank 0 where the session is written, whether it goes on, and with which games.
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
   Before before = settleSession(options, inputs);
-  takePlaylist(options, inputs);
+  settleLink(options, inputs);
+  const bool isCaller = !options.link.empty() && !linkAddressOf(options.link).listens;
+  if (!isCaller) takePlaylist(options, inputs);
   if (options.lesson && options.study.empty() && !options.scenario.empty() &&
       !readScenario(options.scenario).lesson) {
     throw std::runtime_error(fmt::format(

@@ -20,6 +20,7 @@
 
 #include <glm/common.hpp>
 
+#include "app/commands/link_health.h"
 #include "app/commands/node_health.h"
 #include "app/commands/room.h"
 #include "app/commands/room_health.h"
@@ -326,6 +327,7 @@ int runDoctor(const DoctorOptions& options) {
     NodeHealth room;
     lookAtRoom(cluster, judged, options, room);
     if (cluster.rank() > 0) return;
+    if (judged) lookAtLink(*judged, room);
     std::vector<NodeHealth> nodes;
     for (const std::string& text : texts) nodes.push_back(unpacked(text));
     if (!options.findings) {

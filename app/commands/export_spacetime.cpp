@@ -15,6 +15,7 @@
 #include "app/journal/session_file.h"
 #include "app/report/sculpture_file.h"
 #include "app/session/recorded_source.h"
+#include "app/stage/scenario_scene.h"
 #include "engine/base/log.h"
 #include "engine/billiard/billiard.h"
 #include "engine/sculpture/game_sculpture.h"
@@ -24,7 +25,6 @@ namespace {
 
 constexpr double kShown_s = 10.0, kLongest_s = 600.0;
 constexpr std::size_t kMostPucks = 100;
-constexpr double kLine_m = 0.02;         // half the width of a told body's line
 constexpr double kLeastWall_m = 1.2e-3;  // what printers with a nozzle of 0.4 mm can build
 
 /// The game whose sculpture is made.
@@ -49,13 +49,10 @@ Span spanOf(const ExportSpacetimeOptions& options, double ends_s) {
   return span;
 }
 
-/// Adds the bodies that move as told: their centres' world lines, as wide as a finger.
+/// Adds the bodies that move as told.
 void addBodies(const Scenario& scenario, Subject& subject) {
   for (const ScriptedBody& body : scenario.bodies) {
-    Puck line;
-    line.name = body.name;
-    line.radius_m = kLine_m;
-    subject.setup.pucks.push_back(line);
+    subject.setup.pucks.push_back(outlineOf(body));
     subject.lines.push_back(body.worldLine);
   }
 }

@@ -50,7 +50,14 @@ void noticeSignals() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-std::string ownProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+/// Returns where this program lies. Once another version has taken its place, as an update does while a room
+/// runs, that one is meant.
+std::string ownProgram() {
+  constexpr std::string_view kReplaced = " (deleted)";  // added by Linux
+  std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  if (program.ends_with(kReplaced)) program.resize(program.size() - kReplaced.size());
+  return program;
+}
 
 using Hosts = std::vector<std::string>;
 

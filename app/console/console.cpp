@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include "app/console/console_class.h"
+#include "app/console/console_link.h"
 #include "app/files/rig_viewers.h"
+#include "cave/texts/link_texts.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -51,6 +53,7 @@ bool tabsFitIn(float width_px, const ConsoleFrame& frame) {
     take(tab);
   if (frame.classroom) take(kClassTab);
   if (frame.study) take(kStudyTab);
+  if (frame.status.link) take(texts::link::kTab);
   return width_px >= 0.0F;
 }
 
@@ -218,6 +221,7 @@ void Console::drawTabs(const ConsoleFrame& frame) {
   // The first, so that its name fits where not all do.
   if (frame.classroom) tab(texts::console::kClassTab, [&] { drawClass(frame); });
   if (frame.study) tab(texts::console::kStudyTab, [&] { study_.draw(frame); });
+  if (frame.status.link) tab(texts::link::kTab, [&] { drawLink(frame); });
   tab(texts::console::kGamesTab, [&] { games_.draw(frame); });
   tab(texts::console::kTrackersTab, [&] { drawTrackers(frame); });
   tab(texts::console::kLatencyTab, [&] { drawLatencyNumbers(frame.latency); });

@@ -157,6 +157,11 @@ FileKey ofLetters(std::size_t most, FileKey key) {
   return key;
 }
 
+FileKey orOneOf(std::initializer_list<std::string_view> texts, FileKey number) {
+  number.choices = texts;
+  return number;
+}
+
 FileKey ofSize(std::size_t fewest, std::size_t most, FileKey key) {
   key.fewest = fewest;
   key.most = most;

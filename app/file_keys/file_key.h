@@ -70,7 +70,7 @@ struct FileKey {
   std::size_t most = kAnyNumber;            ///< and at most
   std::size_t letters = kAnyNumber;         ///< of each text, at most
   std::string pattern{};                    ///< that each text fits, as a regular expression; empty: any text
-  std::vector<std::string_view> choices{};  ///< the texts that there are, if not all
+  std::vector<std::string_view> choices{};  ///< the texts that there are, if not all; of a number, instead
   /// The value where the key is left out: its numbers, 0 or 1 for a flag, the index of a choice. Empty: none,
   /// and the reader decides what to do.
   std::vector<double> fallback{};
@@ -111,6 +111,7 @@ FileKey required(FileKey key);
 FileKey inUnit(std::string_view unit, FileKey key);
 FileKey fitting(std::string_view pattern, FileKey key);
 FileKey ofLetters(std::size_t most, FileKey key);
+FileKey orOneOf(std::initializer_list<std::string_view> texts, FileKey number);
 FileKey ofSize(std::size_t fewest, std::size_t most, FileKey key);
 
 }  // namespace declare

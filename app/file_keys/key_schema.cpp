@@ -78,6 +78,7 @@ Json schemaOfValue(const FileKey& key) {
   switch (key.type) {
     case Type::number:
     case Type::whole:
+      if (!key.choices.empty()) return {{"anyOf", {schemaOfNumber(key, false), {{"enum", key.choices}}}}};
       return schemaOfNumber(key, key.type == Type::whole);
     case Type::flag:
       return {{"type", "boolean"}};
@@ -151,7 +152,7 @@ std::string valueOf(const FileKey& key) {
       key.choices.empty() ? "" : fmt::format("`\"{}\"`", fmt::join(key.choices, "\"`, `\""));
   switch (key.type) {
     case Type::number:
-      return "a number" + rangeOf(key);
+      return "a number" + rangeOf(key) + (choices.empty() ? "" : ", or " + choices);
     case Type::whole:
       return "a whole number" + rangeOf(key);
     case Type::flag:

@@ -299,6 +299,27 @@ FileKey comfort() {
                      "shown (key J)")});
 }
 
+FileKey link() {
+  constexpr Range kApart_m{.least = 0.0, .most = 100.0}, kReach_m{.least = 0.3, .most = 1.2};
+  constexpr Range kGone_s{.least = 2.0, .most = 60.0};
+  return table(
+      "link", "another room, elsewhere, that plays at the same table",
+      {required(ofLetters(24, text("name", "of this room, as the other one is told"))),
+       required(
+           text("key",
+                "the file of the key that both rooms share, beside the rig; carom link --new-key makes it")),
+       text("with",
+            "listen:PORT or listen:ADDRESS:PORT to wait for the other room, or HOST or HOST:PORT to call it; "
+            "--link says otherwise; left out: no link without --link"),
+       inUnit("m", orOneOf({"auto"},
+                           number("apart_m", kApart_m,
+                                  "how much farther apart the rooms stand than the scenario has them, if "
+                                  "this room is called; auto: as far as the line needs"))),
+       inUnit("m", number("reach_m", kReach_m,
+                          "how far from the head a hand strikes and is seen by the other room", 0.8)),
+       inUnit("s", number("gone_s", kGone_s, "after this time without news the other room is gone", 6.0))});
+}
+
 }  // namespace
 
 const FileKey& rigKeys() {
@@ -306,7 +327,8 @@ const FileKey& rigKeys() {
   static const FileKey keys = [&] {
     FileKey rig = table(
         "rig", "Carom rig",
-        {text("title", "for people"), required(choice("unit", kLengthUnits, "of every length in this file")),
+        {text("title", "for people"),
+         required(choice("unit", kLengthUnits, "of every length in this file")),
          required(choice("axes", {"x-right y-up z-back", "x-right y-forward z-up"},
                          "of the room; a headset has the first")),
          number("display_hz", kDisplay_hz, "refreshes of the displays in a second", 60.0),
@@ -320,15 +342,23 @@ const FileKey& rigKeys() {
                 "window is a "
                 "place inside it",
                 false),
-         comfort(), spacetimeKey(true),
+         comfort(),
+         spacetimeKey(true),
          text("playlist",
               "the games that may be played in this room: a playlist file, beside the rig, or the name of a "
               "shipped "
               "one"),
          table("console", "where the operator's console is on node 0's display when --console opens it",
                {required(window("window", "its window", true))}),
-         headset(), table("head", "the tracked head, of the one viewer of a room for one", withHead({})),
-         hand(), viewer(), tracker(), node(), wall(), panelKey()});
+         link(),
+         headset(),
+         table("head", "the tracked head, of the one viewer of a room for one", withHead({})),
+         hand(),
+         viewer(),
+         tracker(),
+         node(),
+         wall(),
+         panelKey()});
     const std::vector<std::string_view> ofRooms{"head", "hand", "viewer",     "tracker",
                                                 "wall", "node", "frame_lock", "panel"};
     rig.rules = {{{.with = {"tracker", "wall", "head"}, .without = {"viewer", "headset"}},

@@ -83,6 +83,15 @@ struct StartSetup {
   std::vector<std::string> environment;  ///< variables of the nodes, as "NAME=VALUE" or "NAME"
 };
 
+/// Another room that plays at the same table.
+struct LinkSetup {
+  std::string name;                 ///< of this room
+  std::filesystem::path key;        ///< the file of the shared key; may be missing
+  std::string with;                 ///< as app/link/link_address.h; empty: no room
+  std::optional<double> apart_m{};  ///< empty: as the line needs
+  double reach_m = 0.8, gone_s = 6.0;
+};
+
 /// What the room spares its visitors.
 struct ComfortSetup {
   double most_u = kMostPlatformU;  ///< γβ beyond which the drive makes the platform no faster
@@ -111,6 +120,7 @@ struct Rig {
   std::optional<Wall> panel{};
   ComfortSetup comfort;
   SpacetimeSetup spacetime;
+  std::optional<LinkSetup> link{};
   std::filesystem::path playlist;          ///< of the room's visitors (app/files/playlist.h); empty: none
   std::optional<WindowPlacement> console;  ///< the operator's console, if it is requested
 };

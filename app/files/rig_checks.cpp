@@ -131,4 +131,30 @@ void holdBackTheFast(Rig& rig, const std::vector<TomlTable>& tables) {
   }
 }
 
+std::optional<RoomBox> boxOf(const Rig& rig) {
+  std::optional<RoomBox> box;
+  for (const Wall& wall : standingWalls(rig)) {
+    for (const Vec3& corner_m : {wall.lowerLeft_m, wall.lowerRight_m, wall.upperLeft_m,
+                                 wall.lowerRight_m + wall.upperLeft_m - wall.lowerLeft_m}) {
+      if (!box) box = {corner_m, corner_m};
+      box = {glm::min(box->low_m, corner_m), glm::max(box->high_m, corner_m)};
+    }
+  }
+  return box;
+}
+
+// The person stands about the origin, also where a single wall is all that there is.
+std::optional<std::string> warningOf(const SpacetimeSetup& setup, const Rig& rig) {
+  constexpr double kAround_m = 1.5;
+  const std::optional<RoomBox> box = boxOf(rig);
+  if (!setup.place_m || !box) return {};
+  const Vec3 place_m = *setup.place_m, low_m = glm::min(box->low_m, Vec3(-kAround_m)),
+             high_m = glm::max(box->high_m, Vec3(kAround_m));
+  if (glm::clamp(place_m, low_m, high_m) == place_m) return {};
+  return fmt::format(
+      "[spacetime] place = [{:.4g}, {:.4g}, {:.4g}] m lies outside the room: nobody can walk round it, "
+      "expected a place between [{:.4g}, {:.4g}, {:.4g}] and [{:.4g}, {:.4g}, {:.4g}] m",
+      place_m.x, place_m.y, place_m.z, low_m.x, low_m.y, low_m.z, high_m.x, high_m.y, high_m.z);
+}
+
 }  // namespace carom

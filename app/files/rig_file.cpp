@@ -42,6 +42,17 @@ std::filesystem::path playlistOf(const std::filesystem::path& rig, const std::st
   return known == name ? rig.parent_path() / name : known;
 }
 
+LinkSetup readLink(const TomlTable& table, const std::filesystem::path& rig) {
+  LinkSetup link;
+  link.name = table.text("name");
+  link.key = rig.parent_path() / table.text("key");
+  link.with = table.text("with", "");
+  if (table.has("apart_m") && !table.isOneOfTexts("apart_m")) link.apart_m = table.number("apart_m");
+  link.reach_m = table.number("reach_m");
+  link.gone_s = table.number("gone_s");
+  return link;
+}
+
 PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path) {
   const TomlTable& root = file.root();
   PlacedRig placed;
@@ -77,6 +88,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     rig.comfort.aids = comfort->flag("aids");
   }
   if (const auto table = root.table("spacetime")) rig.spacetime = readSpacetime(*table, placed.unit_m);
+  if (const auto link = root.table("link")) rig.link = readLink(*link, path);
   if (const auto start = root.table("start")) rig.start = readStart(*start);
   if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
   if (const auto console = root.table("console")) {

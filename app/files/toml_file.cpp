@@ -167,6 +167,14 @@ bool TomlTable::isNumber(std::string_view key) const {
   return node && node->is_number();
 }
 
+bool TomlTable::isOneOfTexts(std::string_view key) const {
+  const FileKey& declared = state_->declared(key);
+  const toml::node* node = state_->find(key);
+  const auto* value = node ? node->as_string() : nullptr;
+  return value &&
+         std::find(declared.choices.begin(), declared.choices.end(), value->get()) != declared.choices.end();
+}
+
 double TomlTable::number(std::string_view key) const {
   const FileKey& declared = state_->declared(key, {FileKey::Type::number});
   return readNumber(key, declared.range, fallbackOf<double>(declared));

@@ -44,6 +44,9 @@ class TomlTable {
   /// Returns whether the key's value is a number; counts as reading it.
   bool isNumber(std::string_view key) const;
 
+  /// Returns whether the key's value is one of the texts that are declared for it; counts as reading it.
+  bool isOneOfTexts(std::string_view key) const;
+
   double number(std::string_view key) const;
   /// Reads a number that is `fallback` where it is left out, and at most `most` if that is given.
   double numberOr(std::string_view key, double fallback, std::optional<double> most = {}) const;

@@ -143,7 +143,8 @@ Journal::~Journal() { close(); }
 void Journal::close() { writer_->close(); }
 
 void Journal::add(const FrameState& state, std::span<const HeadEstimate> heads,
-                  std::span<const TrackerSamples> samples, std::span<const HandStroke> strokes) {
+                  std::span<const TrackerSamples> samples, std::span<const HandStroke> strokes,
+                  const LinkNews& link) {
   const std::scoped_lock hold(writer_->mutex);
   Batch& waiting = writer_->waiting;
   if (writer_->ended) return;
@@ -158,7 +159,9 @@ void Journal::add(const FrameState& state, std::span<const HeadEstimate> heads,
   for (std::size_t i = 0; i < std::min<std::size_t>(heads.size(), state.record.viewerCount); ++i)
     frame.heads[i] = {heads[i].known, heads[i].celerity_m_s};
   waiting.events.insert(waiting.events.end(), state.events.begin(), state.events.end());
+  for (const HandStroke& stroke : link.strokes) waiting.strokes.push_back({state.record.number, stroke});
   for (const HandStroke& stroke : strokes) waiting.strokes.push_back({state.record.number, stroke});
+  waiting.link.add(state.record.number, link);
   for (const TrackerSamples& ofOne : samples) {
     for (const TrackerSample& sample : ofOne.samples) waiting.samples.push_back({ofOne.tracker, sample});
   }

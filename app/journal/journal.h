@@ -51,10 +51,13 @@
 //       One row per frame and viewer with a force device: its place as its loop took it and the force on the
 //       hand, in the room's axes; scale: 1 N in the hand is 1/scale N at the cue. Draws, pulses and falls to
 //       0 N are rows of the table input: 'force draw', 'force pulse', 'force off'.
-//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m, viewer)
+//   stroke(frame, puck, at_s, from_x_m, from_y_m, from_z_m, p_x_kg_m_s, p_y_kg_m_s, offset_m, viewer, room,
+//          number)
 //       Strokes by hand in a frame: the puck's name, the event of the hand, and the momentum that arrives at
 //       the puck; offset_m: how far to the right of its centre it strikes. Together with the scenario's
-//       strokes they are all strokes of the game, in its order.
+//       strokes they are all strokes of the game, in its order. Of linked rooms: room is that of the hand, 0
+//       the host, and number counts the room's strokes from 0; the frame of a stroke from afar is that in
+//       which it came, or the game's first if it was made before this room joined.
 //   input(frame, what, value, viewer)
 //       Actions of the operator and the hands, in words; they take effect with this frame.
 //   answer(frame, lesson, question, answer, viewer)
@@ -66,6 +69,18 @@
 //   task(frame, task, viewer, event, stars, energy_j)
 //       What happened to tasks: event is begun, failed (nothing came of a stroke) or solved; stars is 1 to 3
 //       where it is solved, else 0; energy_j: of the strokes since it began.
+//   link(frame, room, state, heard, round_trip_s, promise_t_s, promise_x_m, promise_y_m, promise_z_m, viewer,
+//        waits, pace, digest_s)
+//       Sessions with another room alone (--link): one row per frame and viewer of the other room. heard: the
+//       number of its newest present; promise_…: the promise that held, an event outside whose future all
+//       eyes of the frame are (engine/linked/promise.h); waits: 1 if the people here did not live on; pace:
+//       how much faster they lived than they would alone; digest_s: both games are the same up to this board
+//       time.
+//   link_person(frame, room, viewer, number, t_s, x_m, y_m, z_m, proper_time_s)
+//       The head of a viewer of the other room as present `number` told it: equal to the bit to the row of
+//       the table viewer in that room's file.
+//   link_note(frame, room, what, value)
+//       paired, apart, gone, broken, back, put off, mismatch, refused.
 //   run(first_frame, started_utc, program)
 //       Each time that writing began: the first, and one for each continuation of the session and each
 //       further game.
@@ -124,7 +139,8 @@ class Journal {
   /// Adds a frame: its record, how each viewer's head was known, the trackers' samples for it, and the
   /// strokes by hand. Never blocks.
   void add(const FrameState& state, std::span<const HeadEstimate> heads,
-           std::span<const TrackerSamples> samples, std::span<const HandStroke> strokes = {});
+           std::span<const TrackerSamples> samples, std::span<const HandStroke> strokes = {},
+           const LinkNews& link = {});
 
   /// Adds what the operator or a viewer's hand did; it takes effect with frame `frame`.
   void addInput(std::uint64_t frame, const std::string& what, const std::string& value,

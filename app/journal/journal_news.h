@@ -2,7 +2,9 @@
 // What a frame brings to the journal besides its record.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/billiard/billiard.h"
@@ -12,7 +14,52 @@ namespace carom {
 /// A stroke made by hand.
 struct HandStroke {
   Stroke stroke;
-  std::size_t viewer = 0;  ///< whose hand it was, an index of the rig's viewers
+  std::size_t viewer = 0;    ///< whose hand it was, an index of the viewers of its room
+  std::uint32_t room = 0;    ///< of linked rooms, where it was made; 0: the host, or the only room
+  std::uint32_t number = 0;  ///< counts the strokes of that room in a game from 0
+  std::string viewerName{};  ///< of a viewer elsewhere; empty: the viewer is of this room
+};
+
+/// Another room of a linked game in a frame, by one of its viewers: the promise that held.
+struct LinkRow {
+  std::uint32_t room = 0;
+  std::string_view state;
+  std::uint64_t heard = 0;  ///< number of its newest present
+  double roundTrip_s = 0.0;
+  Event promise;
+  std::string viewer;
+  bool waits = false;  ///< the people here did not live on
+  double pace = 1.0;
+  std::uint32_t digest_s = 0;  ///< both games are the same up to this board time
+};
+
+/// The moment of a head in another room, as a present told it.
+struct LinkPersonRow {
+  std::uint32_t room = 0;
+  std::string viewer;
+  std::uint64_t number = 0;
+  Event head;
+  double properTime_s = 0.0;
+};
+
+struct LinkNoteRow {
+  std::uint32_t room = 0;
+  std::string what, value;
+};
+
+/// What a frame brings of another room.
+struct LinkNews {
+  std::vector<HandStroke> strokes;
+  std::vector<LinkRow> rows;
+  std::vector<LinkPersonRow> persons;
+  std::vector<LinkNoteRow> notes;
+
+  void clear() {
+    strokes.clear();
+    rows.clear();
+    persons.clear();
+    notes.clear();
+  }
 };
 
 /// A phone's answer in a vote of the class, as it counted when the vote was closed.

@@ -26,7 +26,8 @@ CREATE TABLE turn(event INTEGER, puck TEXT, t_s REAL, x_m REAL, y_m REAL, z_m RE
   spin_before_kg_m2_s REAL NOT NULL DEFAULT 0, spin_after_kg_m2_s REAL NOT NULL DEFAULT 0);
 CREATE INDEX turn_of_event ON turn(event);
 CREATE TABLE stroke(frame INTEGER, puck TEXT, at_s REAL, from_x_m REAL, from_y_m REAL, from_z_m REAL,
-  p_x_kg_m_s REAL, p_y_kg_m_s REAL, offset_m REAL NOT NULL DEFAULT 0, viewer TEXT);
+  p_x_kg_m_s REAL, p_y_kg_m_s REAL, offset_m REAL NOT NULL DEFAULT 0, viewer TEXT, room INTEGER NOT NULL DEFAULT 0,
+  number INTEGER);
 CREATE TABLE input(frame INTEGER, what TEXT, value TEXT, viewer TEXT);
 CREATE TABLE answer(frame INTEGER, lesson TEXT, question TEXT, answer TEXT, viewer TEXT);
 CREATE TABLE run(first_frame INTEGER, started_utc TEXT, program TEXT);
@@ -83,6 +84,7 @@ void Batch::clear() {
   answers.clear();
   votes.clear();
   tasks.clear();
+  link.clear();
   knots.clear();
   samples.clear();
   latencies.clear();
@@ -135,6 +137,7 @@ void JournalTables::begin(const SessionFacts& facts) {
   viewerRows_.emplace(database_, viewers_);
   headsetRows_.emplace(database_);
   forceRows_.emplace(database_);
+  if (facts.isLinked) linkRows_.emplace(database_);
   removeEmptyGames(database_);
   if (facts.hasClass) database_.exec(kVoteTable);
   database_.exec(kTaskTable);
@@ -177,6 +180,7 @@ void JournalTables::write(const Batch& batch) {
     writeInputs(batch);
     writeVotes(batch);
     writeTasks(batch);
+    if (linkRows_) linkRows_->write(batch.link);
     writeSamples(batch);
     transaction.commit();
   } catch (...) {
@@ -229,11 +233,11 @@ void JournalTables::list(std::span<const GameEvent> brought, std::uint64_t kept)
 
 void JournalTables::writeInputs(const Batch& batch) {
   if (!batch.strokes.empty()) {
-    SQLite::Statement row(database_, "INSERT INTO stroke VALUES(?,?,?,?,?,?,?,?,?,?)");
+    SQLite::Statement row(database_, "INSERT INTO stroke VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
     for (const auto& [frame, made] : batch.strokes) {
       const Stroke& stroke = made.stroke;
       put(row, frame, nameOf(stroke.puck), stroke.at_s, stroke.from_m.value(), stroke.momentum_kg_m_s,
-          stroke.offset_m, viewers_.at(made.viewer));
+          stroke.offset_m, viewerOf(made), std::uint64_t{made.room}, std::uint64_t{made.number});
     }
   }
   if (!batch.inputs.empty()) {
@@ -280,6 +284,10 @@ void JournalTables::writeSamples(const Batch& batch) {
 
 std::string JournalTables::nameOf(std::size_t puck) const {
   return puck < pucks_.size() ? pucks_[puck] : fmt::format("puck {}", puck + 1);
+}
+
+std::string JournalTables::viewerOf(const HandStroke& stroke) const {
+  return stroke.viewerName.empty() ? viewers_.at(stroke.viewer) : stroke.viewerName;
 }
 
 SQLite::Statement& JournalTables::statement(std::optional<SQLite::Statement>& kept, const char* sql) {

@@ -14,6 +14,7 @@
 #include "app/journal/frame_rows.h"
 #include "app/journal/headset_rows.h"
 #include "app/journal/journal_news.h"
+#include "app/journal/link_batch.h"
 #include "app/journal/session_facts.h"
 #include "app/journal/viewer_rows.h"
 #include "cave/frame/frame_timing.h"
@@ -57,12 +58,13 @@ struct Batch {
   std::vector<OfFrame<Answer>> answers;
   std::vector<OfFrame<ClassVote>> votes;
   std::vector<OfFrame<TaskNews>> tasks;
+  LinkBatch link;
   std::vector<Sample> samples;
   std::vector<LatencyRow> latencies;
 
   bool empty() const {
     return frames.empty() && knots.empty() && inputs.empty() && answers.empty() && votes.empty() &&
-           tasks.empty() && samples.empty();
+           tasks.empty() && samples.empty() && link.empty();
   }
   void clear();
 };
@@ -90,6 +92,7 @@ class JournalTables {
   void writeInputs(const Batch& batch);
   void writeVotes(const Batch& batch);
   void writeTasks(const Batch& batch);
+  std::string viewerOf(const HandStroke& stroke) const;
   void writeSamples(const Batch& batch);
   std::string nameOf(std::size_t puck) const;
   SQLite::Statement& statement(std::optional<SQLite::Statement>& kept, const char* sql);
@@ -103,6 +106,7 @@ class JournalTables {
   std::optional<ViewerWriter> viewerRows_;
   std::optional<HeadsetWriter> headsetRows_;
   std::optional<ForceWriter> forceRows_;
+  std::optional<LinkWriter> linkRows_;  ///< none without a link
   std::optional<SQLite::Statement> event_, turn_, sample_, latency_;
 };
 

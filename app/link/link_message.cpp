@@ -155,6 +155,8 @@ void fields(Wire& wire, LinkHello& hello) {
     for (int axis = 0; axis < 2; ++axis)
       wire.within((*corner)[axis], -kMostLinkPlace_m, kMostLinkPlace_m, "a floor's corner (m)");
   }
+  wire.number(hello.game);
+  wire.within(hello.heard, 0U, kMostStrokesTold, "a number of strokes");
 }
 template <class Wire>
 void fields(Wire& wire, LinkPing& ping) {
@@ -184,6 +186,8 @@ void fields(Wire& wire, LinkStroke& stroke) {
 }
 template <class Wire>
 void fields(Wire& wire, LinkWelcome& welcome) {
+  wire.number(welcome.game);
+  wire.expect(welcome.game != 0, "it sent a game without a number");
   wire.within(welcome.rooms, 2U, kMostRooms, "a number of rooms");
   wire.within(welcome.room, 1U, welcome.rooms - 1, "a room's number");
   wire.within(welcome.apart_m, 0.0, kMostLinkPlace_m, "a distance of rooms (m)");
@@ -234,8 +238,6 @@ void fields(Wire& wire, LinkPresent& message) {
   wire.number(present.number);
   wire.within(present.strokes, 0U, kMostStrokesTold, "a number of strokes");
   flag(wire, present.waits);
-  wire.number(message.heard);
-  wire.within(message.heardAge_s, 0.0, kMostBoard_s, "an age (s)");
   for (int i = 0; i < 16; ++i)
     wire.within(message.boardFromRoom[i / 4][i % 4], -1e6, 1e6, "a part of a motion");
   wire.expect(isLorentz(message.boardFromRoom), "it sent a motion that is no Lorentz transform");

@@ -41,6 +41,8 @@ struct LinkHello {
   std::string program, room;     ///< the program's version; the room's name
   std::vector<std::string> viewers;
   Floor floor;
+  std::uint64_t game = 0;   ///< the linked game that it still plays, as the welcome named it; 0: none
+  std::uint32_t heard = 0;  ///< how many of the receiver's strokes of that game are here
 };
 struct LinkPing {
   std::uint64_t number = 0;
@@ -60,6 +62,7 @@ struct LinkWelcome {
     std::string name;  ///< of a file, without a folder
     std::uint64_t digest = 0;
   };
+  std::uint64_t game = 0;  ///< a number of its own for this game of these rooms; not 0
   std::uint32_t room = 1, rooms = 2;
   double apart_m = 0.0, lightSpeedShown_m_s = 0.0, board_s = 0.0;
   std::string scenario;
@@ -79,8 +82,6 @@ struct LinkPresent {
   std::uint32_t room = 0;
   Present present;
   std::array<LinkPerson, kMostViewers> persons;
-  std::uint64_t heard = 0;  ///< the number of the newest present of the receiver, and
-  double heardAge_s = 0.0;  ///< how long ago it came
   glm::dmat4 boardFromRoom{1.0};
 };
 /// The joiner's first present: it lives once all rooms have accepted it.

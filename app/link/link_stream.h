@@ -25,6 +25,9 @@ class LinkStream {
   /// Returns the next whole message; none if there is none yet. Throws BrokenLink as linkMessageOf does.
   std::optional<LinkMessage> next();
 
+  /// Returns whether all that has come was whole messages.
+  bool isWhole() const { return taken_ == bytes_.size(); }
+
  private:
   /// A bucket that fills with what comes and runs out at the rate that is allowed.
   struct Bucket {

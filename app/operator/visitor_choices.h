@@ -12,6 +12,7 @@
 namespace carom {
 
 inline constexpr std::string_view kWelcome = "welcome", kShowMe = "show-me", kTasks = "tasks";
+inline constexpr std::string_view kTwoCities = "two-cities";
 inline constexpr std::array<std::string_view, 23> kLessons{
     "comes-and-goes", "seen-at-once",      "seen-length",     "parallel-tracks", "same-laws",
     "two-cushions",   "bar-meets-bar",     "cause",           "one-spacetime",   "light-clock",

@@ -41,7 +41,8 @@ std::string sideText(double offset_m) {
 }  // namespace
 
 CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, Game& game,
-                                             FrameRecord& record, std::size_t viewer) {
+                                             FrameRecord& record, std::size_t viewer,
+                                             const OwnRoom* promises) {
   ViewerState& own = record.viewers[viewer];
   const SeenFrame seen(record, viewer);
   PickResult pointed;
@@ -59,7 +60,7 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
                aim_.seenInRoom_m(game.pucks()[*cue_.target()], {own.observer, hand.eye, record.switches});
   }
   own.hand = viewOf(hand, pointed, game, seen);
-  if (cue.letGo) return strike(*cue.letGo, hand, game, seen);
+  if (cue.letGo) return strike(*cue.letGo, hand, game, seen, promises);
   return {{}, {}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
 }
 
@@ -120,15 +121,19 @@ HandView CueInteraction::viewOf(const HandInput& hand, const PickResult& pointed
 }
 
 CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput& hand, Game& game,
-                                               const SeenFrame& seen) const {
+                                               const SeenFrame& seen, const OwnRoom* promises) const {
   const Puck& target = scenario_->billiard.pucks[puck];
   const double c_m_s = scenario_->billiard.lightSpeed_m_s;
   const Vec2 u = strokeOf(cue_.pull_m(), seen.record.boardFromRoom, cue_.d0_m()).u;
   if (u == Vec2(0.0)) return {{}, {}, texts::message::kLetGo};
-  const Event from = handEvent(hand.from_m, seen);
+  Event from = handEvent(hand.from_m, seen);
   if (from.t_s < 0.0) return {{}, {}, texts::message::kBeforeGame};
-  const Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u,
-                      offset_m(u, puck, seen.record.boardFromRoom)};
+  Stroke stroke{puck, from.t_s, from.r_m, target.mass_kg * c_m_s * u,
+                offset_m(u, puck, seen.record.boardFromRoom)};
+  if (promises)
+    stroke = promises->putOff(static_cast<std::uint32_t>(seen.viewer), stroke, seen.record.boardFromRoom);
+  const bool isPutOff = stroke.at_s > from.t_s;
+  from = {stroke.at_s, *stroke.from_m};
   try {
     const Event arrival = game.strike(stroke);
     const double pace = seen.record.lightSpeed_m_s / c_m_s;  // game seconds per second of the viewer
@@ -139,7 +144,8 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
                                   betaFromU(seen.self.observer.headFromBoard.inverse().u()), c_m_s);
     return {stroke, arrival.t_s,
             fmt::format(texts::message::kStroke, target.name, passes_s(from, arrival),
-                        passes_s(arrival, back), sideText(stroke.offset_m))};
+                        passes_s(arrival, back), sideText(stroke.offset_m)),
+            isPutOff};
   } catch (const std::invalid_argument& error) {
     log::note(error.what());
     return {{}, {}, fmt::format(texts::message::kOutOfReach, target.name)};

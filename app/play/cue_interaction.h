@@ -10,6 +10,7 @@
 #include "app/hand/ray_picking.h"
 #include "app/play/game.h"
 #include "cave/record/frame_state.h"
+#include "engine/linked/own_room.h"
 
 namespace carom {
 
@@ -31,12 +32,15 @@ class CueInteraction {
     std::optional<Stroke> stroke;  ///< accepted by the game
     double arrives_s = 0.0;        ///< board time at which the stroke reaches the puck
     std::string said;              ///< message to the viewer; empty if none
+    bool isPutOff = false;         ///< later than the hand, to keep a promise
   };
 
   /// Processes one frame for the hand of a viewer. Must be called after the record has its observer, switches
   /// and light speed, and before the game's knots of this frame are taken. Fills the viewer's hand in it, and
   /// strikes the puck when a stroke is released. `still` means that the viewer's time is frozen.
-  Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record, std::size_t viewer = 0);
+  /// `promises`: of linked rooms, which a stroke is put off to keep; null: there are none.
+  Outcome step(const HandInput& hand, bool still, Game& game, FrameRecord& record, std::size_t viewer = 0,
+               const OwnRoom* promises = nullptr);
 
   /// Rings a puck that the viewer may strike, in the record, unless the hand points to one. In the next frame
   /// a press anywhere within the ring takes it.
@@ -48,7 +52,8 @@ class CueInteraction {
   double offset_m(const Vec2& u, std::size_t target, const Lorentz& boardFromRoom) const;
   bool isInRing(std::size_t puck, const HandInput& hand, const Game& game, const SeenFrame& seen);
   HandView viewOf(const HandInput& hand, const PickResult& pointed, const Game& game, const SeenFrame& seen);
-  Outcome strike(std::size_t puck, const HandInput& hand, Game& game, const SeenFrame& seen) const;
+  Outcome strike(std::size_t puck, const HandInput& hand, Game& game, const SeenFrame& seen,
+                 const OwnRoom* promises) const;
 
   const Scenario* scenario_;
   RayPicking aim_;

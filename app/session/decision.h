@@ -48,6 +48,7 @@ struct Decision {
   std::vector<ClassVote> votes;                  ///< of phones, in a vote that was closed
   std::vector<HandStroke> strokes;               ///< strokes made by hand
   std::vector<TaskNews> tasks;                   ///< what happened to the task
+  LinkNews link;                                 ///< of another room
   std::array<HeadEstimate, kMostViewers> heads;  ///< of each viewer; live sessions only
   /// The head trackers' samples for this frame, valid until the next decision; live sessions only.
   std::vector<TrackerSamples> samples;
@@ -67,6 +68,7 @@ struct Decision {
     votes.clear();
     strokes.clear();
     tasks.clear();
+    link.clear();
     alarms.clear();
     commands.clear();
     handCommands.clear();

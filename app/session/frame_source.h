@@ -9,6 +9,7 @@
 
 #include "app/input/desk_input.h"
 #include "app/session/decision.h"
+#include "app/session/linked_room.h"
 #include "cave/frame/pacer.h"
 #include "devices/monitor/tracker_report.h"
 
@@ -29,6 +30,7 @@ struct SourceStatus {
   std::optional<std::pair<double, double>>
       span_s;  ///< session clock: the range that can be played through; empty if it cannot be controlled
   std::vector<TrackerReport> trackers;
+  std::optional<LinkReport> link{};  ///< of another room
 };
 
 class FrameSource {

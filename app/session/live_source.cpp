@@ -6,6 +6,7 @@
 
 #include "app/operator/lesson.h"
 #include "cave/scene/scene.h"
+#include "cave/texts/texts.h"
 #include "engine/sculpture/sculpture_reach.h"
 
 namespace carom {
@@ -26,6 +27,7 @@ LiveSource::LiveSource(const Rig& rig, const Scenario& scenario, const World& wo
       game_(scenario, start.struck),
       players_(rig, scenario, start.before),
       announcements_(rig, scenario, start.before),
+      link_(start.link),
       isNew_(!start.before) {
   inputs_.play(scenario);
   if (!start.before) lesson_.begin(room_);
@@ -37,7 +39,7 @@ void LiveSource::playAnew() {
   inputs_.play(scenario_);
   room_.start();
   lesson_ = LessonRun(scenario_);
-  game_ = Game(scenario_);
+  game_ = link_ ? Game(scenario_, link_->strokesBefore()) : Game(scenario_);
   players_ = Players(rig_, scenario_, {});
   announcements_.play();
   frozen_.reset();
@@ -49,25 +51,30 @@ void LiveSource::playAnew() {
 void LiveSource::next(const FrameTimes& given, const FrameInput& input, OperatorSettings& settings,
                       Decision& decision) {
   inputs_.follow(decision.frame.record);
+  if (link_) link_->hear(game_, announcements_, decision);
   const FrameTimes times = begin(given, settings, decision.frame.record);
   announcements_.tellEffects(input.commands, decision);
   const DriveWish wish = inputs_.take(input.desk, offersChoices(settings), times);
   decision.isHandled = asksForAnything(wish);
   lesson_.take(settings.lesson, players_.answeredBy(), decision);
-  const bool still = settings.views.frozen || lesson_.asks();
-  players_.showBestShot(input.commands, decision.isHandled, announcements_, decision);
+  const bool stands = settings.views.frozen || lesson_.asks();
+  if (!isShared(input.commands, decision))
+    players_.showBestShot(input.commands, decision.isHandled, announcements_, decision);
   const ShotView* const shot = players_.shot(times.display_s);
   if (lastOf<StartTour>(input.commands)) room_.setOut();
   const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
-  move({times, settings.eyeSeparation_m, pace, wish, inputs_.steering()}, settings, still, shot, decision);
+  const bool still = move({times, settings.eyeSeparation_m, pace, wish, inputs_.steering()}, settings, stands,
+                          shot, decision);
   players_.placeSculpture(decision.frame.record);
   const bool timePasses = !still && !shot;
-  const HandRules rules{settings, lesson_.asks(), timePasses && !scenario_.lesson, &world_};
+  const HandRules rules{settings, lesson_.asks(), timePasses && !scenario_.lesson, &world_, link_};
   if (timePasses) Players::feel(world_, inputs_, decision.frame.record);
   players_.act(rules, room_.viewers(), inputs_, game_, announcements_, decision);
   if (timePasses) players_.see(world_, settings, announcements_, decision);
-  tell(input.commands, settings, still, decision);
+  if (link_) link_->tellWaiting(still && !stands, times.step_s, announcements_);
+  tell(input.commands, settings, stands, decision);
   playGame(settings, decision.frame);
+  if (link_) link_->tell(room_, game_, settings, !timePasses, decision);
   finish(given, decision);
 }
 
@@ -84,9 +91,16 @@ FrameTimes LiveSource::begin(const FrameTimes& given, const OperatorSettings& se
   return times;
 }
 
+/// Returns whether another room plays this game, in which nothing is shown again; says so if it is asked for.
+bool LiveSource::isShared(std::span<const Command> commands, Decision& decision) {
+  if (!link_ || !link_->isShared()) return false;
+  if (lastOf<ShowBestShot>(commands)) announcements_.say(texts::message::kLinkNoShot, decision);
+  return true;
+}
+
 /// Moves the room and fills in the viewers' views: their world lines continue, driven by hand, on the tour or
-/// on the way home; or time is frozen, or the best shot is shown again.
-void LiveSource::move(const RoomStep& step, const OperatorSettings& settings, bool still,
+/// on the way home; or time is frozen, or the best shot is shown again. Returns whether all stand still.
+bool LiveSource::move(const RoomStep& step, const OperatorSettings& settings, bool still,
                       const ShotView* shot, Decision& decision) {
   FrameRecord& record = decision.frame.record;
   record.headset = room_.viewers().putOn(step.times.headset);
@@ -96,16 +110,30 @@ void LiveSource::move(const RoomStep& step, const OperatorSettings& settings, bo
     seen.fill(shot->observer);
     put(room_.freeze(seen, step), record);
     record.boardFromRoom = shot->boardFromRoom;
-    return;
+    return still;
   }
-  if (still && frozen_) return put(room_.freeze(*frozen_, step), record);
-  frozen_ = scenario_.lesson ? lesson_.move(settings, step, room_) : room_.advance(step);
+  if (still && frozen_) {
+    put(room_.freeze(*frozen_, step), record);
+    return true;
+  }
+  if (link_) {
+    const std::optional<ObserverViews> lived = link_->move(scenario_, room_, step);
+    if (!lived) {
+      if (!frozen_ || !link_->isLiving()) frozen_ = room_.viewers().now(step.eyeSeparation_m);
+      put(room_.wait(*frozen_, step), record);
+      return true;
+    }
+    frozen_ = lived;
+  } else {
+    frozen_ = scenario_.lesson ? lesson_.move(settings, step, room_) : room_.advance(step);
+  }
   put(*frozen_, record);
   record.drive = room_.drive();
   if (lesson_.isHeld()) record.drive.thrust = Vec3(0.0);
   const DriveMode mode = record.drive.mode;
   if (std::exchange(driven_, mode) != mode)
     decision.notes.push_back({"drive", kDriveModes[static_cast<std::size_t>(mode)]});
+  return still;
 }
 
 /// Tells the people in the room what they should know.
@@ -159,7 +187,9 @@ void LiveSource::playGame(const OperatorSettings& settings, FrameState& frame) {
   std::vector<ObserverView> observers{players_.earliest(record)};
   for (const ViewerState& viewer : record.present()) observers.push_back(viewer.observer);
   seeFromPlaces(record, [&](const ObserverView& view) { observers.push_back(view); });
-  game_.forget(world_, observers, frame, keptForSculpture_s(record));
+  // What another room may still ask about is kept.
+  const double kept_s = link_ ? link_->final_s() - 1.0 : std::numeric_limits<double>::infinity();
+  game_.forget(world_, observers, frame, std::min(kept_s, keptForSculpture_s(record)));
 }
 
 void LiveSource::finish(const FrameTimes& given, Decision& decision) {
@@ -191,6 +221,7 @@ SourceStatus LiveSource::status() const {
   SourceStatus status;
   if (lastFrame_) status.end = *lastFrame_ + 1;
   status.trackers = room_.viewers().trackers();
+  if (link_) status.link = link_->report();
   return status;
 }
 

@@ -28,6 +28,7 @@ struct LiveStart {
   std::optional<FrameRecord> before;                   ///< last frame of the session that is continued
   std::optional<std::uint64_t> frames;                 ///< number of frames to show; unlimited if empty
   std::vector<Stroke> struck = {};                     ///< strokes by hand in the session that is continued
+  LinkedRoom* link = nullptr;                          ///< with another room; must outlive the source
 
   std::uint64_t firstFrame() const { return before ? before->number + 1 : 0; }
 };
@@ -56,8 +57,9 @@ class LiveSource : public FrameSource {
 
  private:
   FrameTimes begin(const FrameTimes& given, const OperatorSettings& settings, FrameRecord& record);
-  void move(const RoomStep& step, const OperatorSettings& settings, bool still, const ShotView* shot,
+  bool move(const RoomStep& step, const OperatorSettings& settings, bool still, const ShotView* shot,
             Decision& decision);
+  bool isShared(std::span<const Command> commands, Decision& decision);
   void tell(std::span<const Command> commands, const OperatorSettings& settings, bool still,
             Decision& decision);
   void seeFromPlaces(const FrameRecord& record, const std::function<void(const ObserverView&)>& take) const;
@@ -75,6 +77,7 @@ class LiveSource : public FrameSource {
   Game game_;
   Players players_;
   Announcements announcements_;
+  LinkedRoom* link_;                     ///< null: with no other room
   std::optional<ObserverViews> frozen_;  ///< the last views before time was frozen
   DriveMode driven_ = DriveMode::free;   ///< in the previous frame
   bool isNew_;  ///< its first frame is still to come: no time passes for the viewer while a game is loaded

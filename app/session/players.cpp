@@ -30,7 +30,10 @@ Players::Players(const Rig& rig, const Scenario& scenario, const std::optional<F
       cues_(kMostViewers, CueInteraction(scenario)),
       tasks_(scenario),
       sculpture_(rig, scenario, before) {
-  if (before) match_ = Match(*before);
+  if (!before) return;
+  match_ = Match(*before);
+  for (const ViewerState& viewer : before->present())
+    strokes_ += static_cast<std::uint32_t>(viewer.score.strokes);
 }
 
 void Players::showBestShot(std::span<const Command> commands, bool isInterrupted,
@@ -83,7 +86,8 @@ void Players::act(std::size_t viewer, const HandRules& rules, const Viewers& vie
     answeredBy_ = viewer;
     decision.isHandled = true;
   }
-  const CueInteraction::Outcome outcome = cues_[viewer].step(hand, !rules.mayStrike, game, record, viewer);
+  const CueInteraction::Outcome outcome = cues_[viewer].step(hand, !rules.mayStrike, game, record, viewer,
+                                                             rules.link ? rules.link->promises() : nullptr);
   const bool isNew = scenario_->choices && scenario_->tour.empty() && own.score.strokes == 0;
   if (isNew && rules.mayStrike) cues_[viewer].offer(0, game, record, viewer);
   if (pointed && !own.hand.pulling) {
@@ -94,7 +98,7 @@ void Players::act(std::size_t viewer, const HandRules& rules, const Viewers& vie
     own.hand.to_m = touch.at_m;
     own.hand.target = 0;
   }
-  if (outcome.stroke) struck(viewer, outcome, decision);
+  if (outcome.stroke) struck(viewer, rules, outcome, decision);
   HandForce* const force = inputs.force(viewer);
   if (outcome.stroke && force) force->struck(outcome.stroke->puck, outcome.arrives_s);
   const auto held = hold(viewer, hand, rules, record);
@@ -118,8 +122,10 @@ std::optional<HandForce::Holding> Players::hold(std::size_t viewer, const HandIn
   return holding;
 }
 
-void Players::struck(std::size_t viewer, const CueInteraction::Outcome& outcome, Decision& decision) {
-  decision.strokes.push_back({*outcome.stroke, viewer});
+void Players::struck(std::size_t viewer, const HandRules& rules, const CueInteraction::Outcome& outcome,
+                     Decision& decision) {
+  decision.strokes.push_back(rules.link ? rules.link->struck(viewer, *outcome.stroke, outcome.isPutOff)
+                                        : HandStroke{*outcome.stroke, viewer, 0, strokes_++, {}});
   match_.struck(viewer, decision.frame.record.viewerCount, outcome.stroke->puck, outcome.arrives_s);
   hit_.struck(outcome.stroke->puck, outcome.arrives_s);
   striker_ = viewer;

@@ -17,6 +17,7 @@
 #include "app/play/shot_memory.h"
 #include "app/session/announcements.h"
 #include "app/session/decision.h"
+#include "app/session/linked_room.h"
 #include "app/session/player_inputs.h"
 #include "app/session/sculpture_stand.h"
 #include "app/session/task_run.h"
@@ -30,6 +31,7 @@ struct HandRules {
   bool mayStrike =
       false;  ///< time passes, and the game is not that of a lesson, which is played again and again
   const World* world = nullptr;  ///< as it was shown
+  LinkedRoom* link = nullptr;    ///< of a room that is linked with another
 };
 
 class Players {
@@ -71,7 +73,8 @@ class Players {
  private:
   void act(std::size_t viewer, const HandRules& rules, const Viewers& viewers, PlayerInputs& inputs,
            Game& game, Announcements& announcements, Decision& decision);
-  void struck(std::size_t viewer, const CueInteraction::Outcome& outcome, Decision& decision);
+  void struck(std::size_t viewer, const HandRules& rules, const CueInteraction::Outcome& outcome,
+              Decision& decision);
   std::optional<HandForce::Holding> hold(std::size_t viewer, const HandInput& hand, const HandRules& rules,
                                          const FrameRecord& record);
 
@@ -79,7 +82,8 @@ class Players {
   std::vector<CueInteraction> cues_;  ///< of each viewer
   Match match_;
   HitSeen hit_;
-  std::size_t striker_ = 0;  ///< the viewer who struck last, whose shot is kept
+  std::uint32_t strokes_ = 0;  ///< by hand in this game
+  std::size_t striker_ = 0;    ///< the viewer who struck last, whose shot is kept
   ShotMemory shots_;
   ShotReplay replay_;
   TaskRun tasks_;

@@ -9,8 +9,9 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "cave/scene/scene.h"
+#include "app/stage/scenario_scene.h"
 #include "cave/texts/texts.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -30,13 +31,10 @@ Pose standingAt(const Vec3& foot_m, const RoomAxes& axes, const Lorentz& boardFr
 SculptureStand::SculptureStand(const Rig& rig, const Scenario& scenario,
                                const std::optional<FrameRecord>& before)
     : axes_(rig.axes) {
-  std::size_t pucks = 0;
-  for (const Puck& puck : scenario.billiard.pucks) {
-    topOfPucks_m_ = std::max(topOfPucks_m_, puck.height_m);
-    if (!puck.soft) ++pucks;
-  }
-  sculpted_ = std::min(pucks, kMostSculpted);
-  left_ = pucks - sculpted_;
+  for (const Puck& puck : scenario.billiard.pucks) topOfPucks_m_ = std::max(topOfPucks_m_, puck.height_m);
+  const SculptedBodies bodies = sculptedBodies(scenario);
+  sculpted_ = bodies.pucks.size() + bodies.bodies.size();
+  left_ = bodies.leftOut;
   for (const ViewerSetup& viewer : rig.viewers) names_.push_back(viewer.name);
   if (before) {
     view_ = before->sculpture;
@@ -47,13 +45,8 @@ SculptureStand::SculptureStand(const Rig& rig, const Scenario& scenario,
   const SpacetimeSetup& setup = scenario.spacetime ? *scenario.spacetime : rig.spacetime;
   view_.place = sizeOf(setup, scenario.billiard.lightSpeed_m_s);
   place_m_ = setup.place_m;
-  for (const Wall& wall : standingWalls(rig)) {
-    for (const Vec3& corner_m : {wall.lowerLeft_m, wall.lowerRight_m, wall.upperLeft_m,
-                                 wall.lowerRight_m + wall.upperLeft_m - wall.lowerLeft_m}) {
-      low_m_ = low_m_ ? glm::min(*low_m_, corner_m) : corner_m;
-      high_m_ = high_m_ ? glm::max(*high_m_, corner_m) : corner_m;
-    }
-  }
+  box_ = boxOf(rig);
+  if (const auto warning = warningOf(setup, rig)) log::warn(*warning);
 }
 
 // To the right of the person, between them and the table, within the walls.
@@ -61,14 +54,16 @@ void SculptureStand::putInto(FrameRecord& record) {
   if (!isPlaced_) {
     const Vec3 head_m = record.viewers.front().observer.middle.positionInRoom_m;
     Vec3 foot_m = head_m + axes_.right * kAside_m + axes_.forward * kAhead_m;
-    if (low_m_) {
+    if (box_) {
       for (const Vec3& axis : {axes_.right, axes_.forward}) {
-        const double a = glm::dot(*low_m_, axis), b = glm::dot(*high_m_, axis), at = glm::dot(foot_m, axis);
+        const double a = glm::dot(box_->low_m, axis), b = glm::dot(box_->high_m, axis),
+                     at = glm::dot(foot_m, axis);
         const double least = std::min(a, b) + kFromWall_m, most = std::max(a, b) - kFromWall_m;
         if (least < most) foot_m += axis * (std::clamp(at, least, most) - at);
       }
     }
-    const double floor = low_m_ ? std::min(glm::dot(*low_m_, axes_.up), glm::dot(*high_m_, axes_.up)) : 0.0;
+    const double floor =
+        box_ ? std::min(glm::dot(box_->low_m, axes_.up), glm::dot(box_->high_m, axes_.up)) : 0.0;
     foot_m += axes_.up * (floor - glm::dot(foot_m, axes_.up));
     view_.place.roomFromFoot = standingAt(place_m_.value_or(foot_m), axes_, record.boardFromRoom);
     isPlaced_ = true;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/files/rig.h"
+#include "app/files/rig_checks.h"
 #include "app/files/scenario.h"
 #include "app/play/sculpture_hands.h"
 #include "cave/record/frame_state.h"
@@ -36,14 +37,14 @@ class SculptureStand {
 
   SculptureHands hands_;
   double topOfPucks_m_ = 0.0;
-  std::size_t sculpted_ = 0, left_ = 0;  // pucks that are shown, and that are not
+  std::size_t sculpted_ = 0, left_ = 0;  // bodies that are shown, and that are not
   bool wasShown_ = false;
   std::vector<std::string> names_;  // of the viewers
   std::string said_;                // while a hand holds it
   SculptureView view_;
   RoomAxes axes_;
-  std::optional<Vec3> place_m_;         // of its foot, if that is told
-  std::optional<Vec3> low_m_, high_m_;  // corners of the box around the walls
+  std::optional<Vec3> place_m_;  // of its foot, if that is told
+  std::optional<RoomBox> box_;
   bool isPlaced_ = false;
 };
 

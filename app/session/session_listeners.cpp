@@ -34,7 +34,7 @@ void JournalListener::shown(const Decision& decision) {
   for (const TaskNews& news : decision.tasks) journal_->addTask(number, news);
   for (const Note& note : decision.notes) journal_->addInput(number, note.what, note.value, note.viewer);
   if (statistics_) journal_->add(statistics_->rows());
-  journal_->add(decision.frame, decision.heads, decision.samples, decision.strokes);
+  journal_->add(decision.frame, decision.heads, decision.samples, decision.strokes, decision.link);
 }
 
 void JournalListener::add(const std::vector<Note>& notes) {

@@ -61,6 +61,23 @@ nlohmann::ordered_json trackersOf(const std::vector<TrackerReport>& reports) {
   return trackers;
 }
 
+nlohmann::ordered_json linkOf(const LinkReport& link) {
+  return {{"room", link.room},
+          {"with", link.other},
+          {"state", wordFor(link.state)},
+          {"round_trip_ms", {{"median", 1e3 * link.roundTrip.median_s}, {"p99", 1e3 * link.roundTrip.p99_s}}},
+          {"slack_s", link.slack_s},
+          {"apart_m", link.apart_m},
+          {"pace", link.pace},
+          {"waiting", link.waiting},
+          {"strokes_in", link.strokesIn},
+          {"strokes_out", link.strokesOut},
+          {"put_off", link.putOff},
+          {"same_until_s", link.sameUntil_s},
+          {"own_s", link.own_s},
+          {"others_s", link.others_s}};
+}
+
 }  // namespace
 
 StatusFile::StatusFile(std::filesystem::path file, const Cluster& cluster)
@@ -102,7 +119,11 @@ void StatusFile::shown(const Decision& decision) {
   latest_.session_s = record.display_s;
   latest_.walls = record.controls;
   if (statistics_) latest_.nodes = statistics_->numbers(record).nodes;
-  if (source_) latest_.trackers = source_->status().trackers;
+  if (source_) {
+    SourceStatus status = source_->status();
+    latest_.trackers = std::move(status.trackers);
+    latest_.link = std::move(status.link);
+  }
   if (isFirst) writer_.writeSoon();
 }
 
@@ -129,6 +150,7 @@ std::string StatusFile::text(const char* state) {
   status["walls"] = wordsFor(moment.walls);
   status["nodes"] = nodesIn(moment.nodes);
   status["trackers"] = trackersOf(moment.trackers);
+  if (moment.link) status["link"] = linkOf(*moment.link);
   return linesOf(status);
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ class StatusFile : public FrameListener {
     WallControls walls;
     std::vector<LatencyView::Node> nodes;
     std::vector<TrackerReport> trackers;
+    std::optional<LinkReport> link;
     bool hasFrame = false;
   };
   std::string text(const char* state);

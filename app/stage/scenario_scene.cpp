@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 #include "app/files/toml_file.h"
@@ -14,6 +15,8 @@
 #include "cave/frame/body_colour.h"
 #include "cave/mesh/mesh_file.h"
 #include "cave/mesh/mesh_size.h"
+#include "cave/mesh/polygons.h"
+#include "cave/outlines/footprint.h"
 #include "cave/scene/puck_model.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/base/log.h"
@@ -37,15 +40,19 @@ double rimOf(vtkPolyData& mesh) {
   return rim_m;
 }
 
+/// Returns what a body that moves as told is drawn with, in few triangles.
+ScenePart partOf(const ScriptedBody& body) {
+  const glm::vec3 any(1.0F);
+  const Tessellation undivided{.pixel_rad = 1.0};
+  return body.mesh ? meshPart(readMeshFile(body.mesh->string()), 0.0, kRestingBody, any, undivided)
+                   : rodPart(kRestingBody, any);
+}
+
 /// Throws std::runtime_error if the body's spin would carry a part of its picture round as fast as light.
 void checkSpin(const ScriptedBody& body, double c_m_s) {
   const double turn_rad_s = std::abs(body.worldLine.knots().front().spin.omega_rad_s);
   if (turn_rad_s == 0.0) return;
-  const glm::vec3 any(1.0F);
-  const Tessellation undivided{.pixel_rad = 1.0};
-  const ScenePart part = body.mesh
-                             ? meshPart(readMeshFile(body.mesh->string()), 0.0, kRestingBody, any, undivided)
-                             : rodPart(kRestingBody, any);
+  const ScenePart part = partOf(body);
   const double rim_m = rimOf(*part.mesh);
   if (turn_rad_s * rim_m < c_m_s) return;
   throw std::runtime_error(fmt::format(
@@ -79,43 +86,81 @@ void warnOfLarge(const std::string& path) {
             : std::string(" of a kind that tells its number of faces only when it is read")));
 }
 
-/// Returns what stands in the room as spacetime: rigid pucks, those nearest to the middle of the board first,
-/// and bodies that move as told as lines, two centimetres to each side.
+/// Returns what stands in the room as spacetime.
 SculptedGame sculptedOf(const Scenario& scenario) {
-  constexpr double kLine_m = 0.02, kMargin_m = 0.2, kLeast_m = 0.5;
+  constexpr double kMargin_m = 0.2, kLeast_m = 0.5;
   const BilliardSetup& setup = scenario.billiard;
+  const SculptedBodies shown = sculptedBodies(scenario);
   SculptedGame game;
   game.hasCushions = setup.board.has_value();
   const auto add = [&](std::size_t body, const Puck& puck) {
     game.bodies.push_back({body, puck, colourOf(puck.name, body - kFirstPuck)});
     game.top_m = std::max(game.top_m, puck.height_m);
   };
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < setup.pucks.size(); ++i)
-    if (!setup.pucks[i].soft) order.push_back(i);
-  const auto away_m = [&](std::size_t i) { return glm::length(setup.pucks[i].position_m); };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return away_m(a) < away_m(b); });
-  order.resize(std::min(order.size(), kMostSculpted));
-  std::sort(order.begin(), order.end());
-  for (const std::size_t i : order) add(kFirstPuck + i, setup.pucks[i]);
-  for (std::size_t i = 0; i < scenario.bodies.size() && game.bodies.size() < kMostSculpted; ++i) {
-    Puck line;
-    line.name = scenario.bodies[i].name;
-    line.radius_m = kLine_m;
-    add(kFirstPuck + setup.pucks.size() + i, line);
-  }
+  for (const std::size_t i : shown.pucks) add(kFirstPuck + i, setup.pucks[i]);
+  const double topOfPucks_m = game.top_m;
+  for (const std::size_t i : shown.bodies)
+    add(kFirstPuck + setup.pucks.size() + i, outlineOf(scenario.bodies[i]));
+  if (!shown.pucks.empty()) game.top_m = topOfPucks_m;
   if (setup.board) {
     game.half_m = 0.5 * glm::dvec2(setup.board->length_m, setup.board->width_m);
     return game;
   }
   game.half_m = glm::dvec2(kLeast_m);
-  for (const std::size_t i : order)
+  for (const std::size_t i : shown.pucks)
     game.half_m = glm::max(game.half_m, glm::abs(setup.pucks[i].position_m) + kMargin_m);
   return game;
 }
 
 }  // namespace
+
+SculptedBodies sculptedBodies(const Scenario& scenario) {
+  const std::vector<Puck>& pucks = scenario.billiard.pucks;
+  SculptedBodies shown;
+  for (std::size_t i = 0; i < pucks.size(); ++i)
+    if (!pucks[i].soft) shown.pucks.push_back(i);
+  const auto away_m = [&](std::size_t i) { return glm::length(pucks[i].position_m); };
+  std::stable_sort(shown.pucks.begin(), shown.pucks.end(),
+                   [&](std::size_t a, std::size_t b) { return away_m(a) < away_m(b); });
+  shown.pucks.resize(std::min(shown.pucks.size(), kMostSculpted));
+  std::sort(shown.pucks.begin(), shown.pucks.end());
+  const std::size_t bodies = std::min(scenario.bodies.size(), kMostSculpted - shown.pucks.size());
+  for (std::size_t i = 0; i < bodies; ++i) shown.bodies.push_back(i);
+  shown.leftOut = pucks.size() + scenario.bodies.size() - shown.pucks.size() - bodies;
+  return shown;
+}
+
+Puck outlineOf(const ScriptedBody& body) {
+  constexpr double kLine_m = 0.02;
+  constexpr std::uintmax_t kMost_bytes = 16U << 20U;
+  Puck puck;
+  puck.name = body.name;
+  puck.radius_m = kLine_m;
+  std::error_code failed;
+  if (!body.isDrawn || (body.mesh && std::filesystem::file_size(*body.mesh, failed) > kMost_bytes))
+    return puck;
+  const ScenePart part = partOf(body);
+  std::vector<glm::dvec2> corners;
+  double top_m = 0.0;
+  forEachPolygon(*part.mesh->GetPolys(), [&](std::span<const vtkIdType> ids) {
+    for (const vtkIdType id : ids) {
+      glm::dvec3 place{0.0};
+      part.mesh->GetPoint(id, &place.x);
+      corners.emplace_back(place.x, place.y);
+      top_m = std::max(top_m, place.z);
+    }
+  });
+  try {
+    const Footprint footprint = footprintOf(corners);
+    for (const glm::dvec2& corner : footprint.corners) puck.outline_m.push_back(footprint.centre + corner);
+  } catch (const std::runtime_error&) {
+    return puck;  // seen from above it is a line, or has too many corners
+  }
+  puck.radius_m = 0.0;
+  for (const Vec2& corner : puck.outline_m) puck.radius_m = std::max(puck.radius_m, glm::length(corner));
+  puck.height_m = 2.0 * top_m;
+  return puck;
+}
 
 Tessellation tessellationFor(const Rig& rig, bool inSoftware) {
   // Eight views of half a million vertices take a few milliseconds on a GPU, and a second on two CPU cores.

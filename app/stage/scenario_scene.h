@@ -24,6 +24,18 @@ Tessellation tessellationFor(const Rig& rig, bool inSoftware);
 /// Returns the scene of table, hall, pucks and scripted bodies. The meshes must have been opened.
 Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation);
 
+/// Which bodies of a scenario the sculpture of its spacetime shows: pucks, those nearest to the middle of the
+/// board first, then bodies that move as told, kMostSculpted in all.
+struct SculptedBodies {
+  std::vector<std::size_t> pucks, bodies;  ///< indices, in their order
+  std::size_t leftOut = 0;                 ///< pucks and bodies that are not shown
+};
+SculptedBodies sculptedBodies(const Scenario& scenario);
+
+/// Returns a body that moves as told as a puck with the outline of its mesh, seen from above; without one, or
+/// if that is large or a line from above, as a disc of two centimetres. Throws as openMeshes does.
+Puck outlineOf(const ScriptedBody& body);
+
 /// Opens every mesh of the scenario. Throws InputErrors with the fault of each that cannot be read, and
 /// std::runtime_error for a told body whose spin would carry a part of it round as fast as light.
 void openMeshes(const Scenario& scenario);

@@ -195,10 +195,10 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   return setup;
 }
 
-bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path& file) {
+bool playNext(Cluster& cluster, SessionSetup& setup, const InputFile& file) {
   Handover files(cluster);
   try {
-    setup.scenario = files.scenario({file, {}});
+    setup.scenario = files.scenario(file);
     adaptGame(setup);
   } catch (const RankFailed&) {
     return false;  // the error has been logged

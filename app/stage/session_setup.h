@@ -68,7 +68,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options);
 
 /// Replaces the scenario on every node, in the same windows; everything of the old game in `setup` is
 /// discarded. If the scenario cannot be read, logs this, leaves the setup as it is and returns false.
-bool playNext(Cluster& cluster, SessionSetup& setup, const std::filesystem::path& scenario);
+bool playNext(Cluster& cluster, SessionSetup& setup, const InputFile& scenario);
 
 /// Returns the histories of all bodies before the game.
 std::vector<WorldLine> historiesAtStart(const SessionSetup& setup);

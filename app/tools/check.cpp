@@ -19,10 +19,12 @@
 #include "app/files/config_folder.h"
 #include "app/files/playlist.h"
 #include "app/files/rig.h"
+#include "app/files/rig_checks.h"
 #include "app/files/rig_viewers.h"
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
 #include "app/files/traces.h"
+#include "app/nodes/mpirun_line.h"
 #include "app/room_formats/room_kind.h"
 #include "app/room_import/rig_room.h"
 #include "app/room_import/room_check.h"
@@ -157,6 +159,15 @@ Playlist openPlaylist(const std::filesystem::path& path, const FileOpeners& open
   return playlist;
 }
 
+/// Warns of nodes without a host beside others that have one: a room of several computers cannot start so.
+void warnOfHosts(const std::filesystem::path& path, const Rig& rig) {
+  try {
+    hostsOf(rig);
+  } catch (const std::runtime_error& missing) {
+    log::warn(fmt::format("{}: {}", path.string(), missing.what()));
+  }
+}
+
 /// Returns whether the room has an error.
 bool tellRig(const std::filesystem::path& path, const FileOpeners& open) {
   constexpr std::uintmax_t kMostOfTrace = 16U << 20U;
@@ -176,6 +187,9 @@ bool tellRig(const std::filesystem::path& path, const FileOpeners& open) {
     fmt::print("words stand on a panel between {}, {} and {} m\n", words(rig.panel->lowerLeft_m),
                words(rig.panel->lowerRight_m), words(rig.panel->upperLeft_m));
   }
+  warnOfHosts(path, rig);
+  if (const auto warning = warningOf(rig.spacetime, rig))
+    log::warn(fmt::format("{}: {}", path.string(), *warning));
   if (isHeadset(rig))
     fmt::print("The walls hang on the head, before the eyes of a headset; a board stands in the room.\n");
   if (rig.comfort.most_u < kMostPlatformU || rig.comfort.aids) {

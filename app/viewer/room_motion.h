@@ -2,7 +2,9 @@
 // The room and its viewers on their way over the board: their world lines, and the platform that carries
 // them.
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "app/files/rig.h"
@@ -45,6 +47,18 @@ class RoomMotion {
   /// Advances by `own_s` of the fastest viewer's proper time, however long the frame takes
   /// (Viewers::slowView).
   ObserverViews advanceSlowly(const RoomStep& step, double own_s);
+
+  /// Does the same at the first of these paces whose views are allowed. If none are, the people do not live
+  /// on, and nothing is returned.
+  std::optional<ObserverViews> advanceIf(const RoomStep& step, std::span<const double> paces,
+                                         const std::function<bool(const ObserverViews&)>& isAllowed) {
+    return viewers_.atOneOf(paces, isAllowed, step.times, step.eyeSeparation_m, step.wish, drive_,
+                            step.steering);
+  }
+  /// The people do not live on; each view stays at its event in `sight` (Viewers::standingView).
+  ObserverViews wait(const ObserverViews& sight, const RoomStep& step) const {
+    return viewers_.standingView(sight, step.eyeSeparation_m);
+  }
 
   /// Lets no time pass: the heads move alone, without relativistic effect.
   ObserverViews stand(const RoomStep& step) {

@@ -102,12 +102,38 @@ const HeadsetState& Viewers::putOn(const std::optional<HeadsetFrame>& headset) {
   return worn_;
 }
 
-ObserverViews Viewers::views(double eyeSeparation_m) const {
+ObserverViews Viewers::viewsOf(const Observers& observers, double eyeSeparation_m) const {
   ObserverViews views;
   const double share = eyeSeparations_m_[0] > 0.0 ? eyeSeparation_m / eyeSeparations_m_[0] : 1.0;
-  views[0] = worn_m_ ? observers_.view((*worn_m_)[0], (*worn_m_)[1]) : observers_.view(eyeSeparation_m);
-  for (std::size_t i = 1; i < size(); ++i) views[i] = observers_.view(share * eyeSeparations_m_[i], i);
+  views[0] = worn_m_ ? observers.view((*worn_m_)[0], (*worn_m_)[1]) : observers.view(eyeSeparation_m);
+  for (std::size_t i = 1; i < size(); ++i) views[i] = observers.view(share * eyeSeparations_m_[i], i);
   return views;
+}
+
+std::optional<ObserverViews> Viewers::atOneOf(std::span<const double> paces,
+                                              const std::function<bool(const ObserverViews&)>& isAllowed,
+                                              const FrameTimes& times, double eyeSeparation_m,
+                                              const DriveWish& wish, PlatformMotion& drive,
+                                              std::size_t steering) {
+  track(times);
+  const Observers before = observers_;
+  const PlatformMotion driven = drive;
+  for (const double pace : paces) {
+    drive.advance(wish, times.step_s, pace, used(heads()), observers_, steering);
+    const ObserverViews lived = views(eyeSeparation_m);
+    if (isAllowed(lived)) return lived;
+    observers_ = before;
+    drive = driven;
+  }
+  return std::nullopt;
+}
+
+ObserverViews Viewers::standingView(const ObserverViews& sight, double eyeSeparation_m) const {
+  Observers moved = observers_;
+  moved.moveUnseen(0.0, used(heads()));
+  ObserverViews now = viewsOf(moved, eyeSeparation_m);
+  for (std::size_t i = 0; i < size(); ++i) now[i] = frozenViewAt(sight[i], now[i]);
+  return now;
 }
 
 ObserverViews Viewers::at(const FrameTimes& times, double eyeSeparation_m, double pace) {

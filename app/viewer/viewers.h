@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -58,6 +59,17 @@ class Viewers {
   ObserverViews at(const FrameTimes& times, double eyeSeparation_m, double pace, const DriveWish& wish,
                    PlatformMotion& drive, std::size_t steering = 0);
 
+  /// Does the same at the first of these paces whose views are allowed. If none are, the people do not live
+  /// on, and nothing is returned.
+  std::optional<ObserverViews> atOneOf(std::span<const double> paces,
+                                       const std::function<bool(const ObserverViews&)>& isAllowed,
+                                       const FrameTimes& times, double eyeSeparation_m, const DriveWish& wish,
+                                       PlatformMotion& drive, std::size_t steering);
+
+  /// Returns views that stay at their events in `sight` while the heads, as they were tracked last, move in
+  /// the room without effect. The people do not live on.
+  ObserverViews standingView(const ObserverViews& sight, double eyeSeparation_m) const;
+
   /// Returns the views after `step_s` of the fastest viewer's proper time, however long the frame takes. The
   /// heads' motion has no relativistic effect meanwhile (Observers::moveUnseen).
   ObserverViews slowView(const FrameTimes& times, double eyeSeparation_m, double pace, double step_s,
@@ -74,6 +86,12 @@ class Viewers {
   /// no relativistic effect meanwhile (Observers::moveUnseen).
   ObserverViews freeView(const FrameTimes& times, double eyeSeparation_m, double roomTime_s);
 
+  /// Follows the heads to the frame. The people do not live on.
+  void follow(const FrameTimes& times) { track(times); }
+  /// Returns the views at the observers' present events.
+  ObserverViews now(double eyeSeparation_m) const { return views(eyeSeparation_m); }
+
+  const Observers& observers() const { return observers_; }
   std::size_t size() const { return observers_.size(); }
   /// The head at that display time, and the tracker data for it.
   const HeadEstimate& head(std::size_t viewer = 0) const { return heads_[viewer]; }
@@ -102,7 +120,8 @@ class Viewers {
   Heads headsAtRest() const;
   std::span<const Head> used(const Heads& heads) const { return std::span(heads).first(trackings_.size()); }
   Observers startOf(const Rig& rig, const Scenario& scenario, const std::optional<FrameRecord>& before) const;
-  ObserverViews views(double eyeSeparation_m) const;
+  ObserverViews views(double eyeSeparation_m) const { return viewsOf(observers_, eyeSeparation_m); }
+  ObserverViews viewsOf(const Observers& observers, double eyeSeparation_m) const;
 
   SharedTrackers shared_;
   std::vector<std::unique_ptr<HeadTracking>> trackings_;  ///< of each viewer

@@ -1,5 +1,7 @@
 #include "cave/render/body_shaders.h"
 
+#include <initializer_list>
+
 #include <fmt/format.h>
 
 #include "engine/light/spin_steps.h"
@@ -68,7 +70,7 @@ std::string paintText(Paint paint) {
 bool isMatt(Paint paint) { return paint == Paint::cloth || paint == Paint::panels || paint == Paint::shadow; }
 
 /// Returns the definitions that differ from one program to another.
-std::string variantText(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
+ShaderParts variantParts(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " true\n" : " false\n");
   };
@@ -79,7 +81,7 @@ std::string variantText(Paint paint, const Switches& switches, ViewTime moment, 
                      define("CONTRACTED", switches.contraction || moment == ViewTime::myNow) +
                      define("ABERRATED", switches.aberration) + define("COLOURED", switches.colour) +
                      define("SEARCHLIGHT", switches.searchlight);
-  if (ghost) return text + "#define GHOST\n" + define("CROSSED", moment == ViewTime::myNow);
+  if (ghost) return {text + "#define GHOST\n" + define("CROSSED", moment == ViewTime::myNow)};
   if (switches == kNoSwitches) text += "#define EUCLID\n";
   if (switches.colour) text += "#define COLOUR\n";
   if (paint == Paint::clock) text += "#define CLOCK\n";
@@ -88,42 +90,69 @@ std::string variantText(Paint paint, const Switches& switches, ViewTime moment, 
   if (followsLamps) text += "#define LAMPS\n";
   if (followsLamps && paint == Paint::lamp) text += "#define BULB\n";
   if (paint == Paint::clock || paint == Paint::lamp) text += "#define GLOWS\n";
-  return text + shaders::light_types;
+  return {text, shaders::light_types};
+}
+
+ShaderParts kernelParts(Legs legs) {
+  std::string definitions =
+      fmt::format("#define CATCH_UP_SPEED {}\n#define FEW_SPIN_STEPS {:.1f}\n", kCatchUpSpeed, kFewSpinSteps);
+  if (legs != Legs::many && legs != Legs::manySpinning) definitions += "#define ONE_LEG\n";
+  if (legs == Legs::oneSpinning || legs == Legs::manySpinning) definitions += "#define SPINS\n";
+  if (legs == Legs::rest) definitions += "#define RESTS\n";
+  if (legs == Legs::followed) definitions += "#define FOLLOWED\n";
+  return {shaders::legs,
+          definitions,
+          shaders::leg_kernel,
+          shaders::spin_kernel,
+          shaders::glide_kernel,
+          shaders::turning_kernel,
+          shaders::emission_kernel,
+          shaders::leg_at,
+          shaders::doppler_kernel,
+          shaders::colour_texel};
+}
+
+std::string joined(const ShaderParts& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += part;
+  return text;
+}
+
+ShaderParts joinedParts(std::initializer_list<ShaderParts> lists) {
+  ShaderParts all;
+  for (const ShaderParts& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
 }  // namespace
 
-std::string kernelText(Legs legs) {
-  std::string text = shaders::legs;
-  text +=
-      fmt::format("#define CATCH_UP_SPEED {}\n#define FEW_SPIN_STEPS {:.1f}\n", kCatchUpSpeed, kFewSpinSteps);
-  if (legs != Legs::many && legs != Legs::manySpinning) text += "#define ONE_LEG\n";
-  if (legs == Legs::oneSpinning || legs == Legs::manySpinning) text += "#define SPINS\n";
-  if (legs == Legs::rest) text += "#define RESTS\n";
-  if (legs == Legs::followed) text += "#define FOLLOWED\n";
-  text += shaders::leg_kernel;
-  text += shaders::spin_kernel;
-  text += shaders::glide_kernel;
-  text += shaders::turning_kernel;
-  text += shaders::emission_kernel;
-  text += shaders::leg_at;
-  text += shaders::doppler_kernel;
-  text += shaders::colour_texel;
-  return text;
+std::string kernelText(Legs legs) { return joined(kernelParts(legs)); }
+
+ShaderParts bodyVertexParts(Legs legs, Paint paint, const Switches& switches, ViewTime moment,
+                            bool followsLamps) {
+  return joinedParts({{kPreamble},
+                      variantParts(paint, switches, moment, followsLamps),
+                      kernelParts(legs),
+                      {shaders::body_vert}});
+}
+
+ShaderParts surfaceFragmentParts(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
+  static const std::string kMarker = "//CAROM::Paint", kText = shaders::surface_frag;
+  static const std::size_t kAt = kText.find(kMarker);
+  return joinedParts(
+      {{kPreamble},
+       variantParts(paint, switches, moment, followsLamps),
+       {kText.substr(0, kAt), moment == ViewTime::seen ? paintText(paint) : shaders::paint_ghost,
+        kText.substr(kAt + kMarker.size())}});
 }
 
 std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, ViewTime moment,
                              bool followsLamps) {
-  return kPreamble + variantText(paint, switches, moment, followsLamps) + kernelText(legs) +
-         shaders::body_vert;
+  return joined(bodyVertexParts(legs, paint, switches, moment, followsLamps));
 }
 
 std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
-  const std::string marker = "//CAROM::Paint";
-  std::string text = kPreamble + variantText(paint, switches, moment, followsLamps) + shaders::surface_frag;
-  const std::string painting = moment == ViewTime::seen ? paintText(paint) : shaders::paint_ghost;
-  text.replace(text.find(marker), marker.size(), painting);
-  return text;
+  return joined(surfaceFragmentParts(paint, switches, moment, followsLamps));
 }
 
 }  // namespace carom

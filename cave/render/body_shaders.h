@@ -2,6 +2,7 @@
 // The shader texts for drawing bodies, assembled from their files.
 
 #include <string>
+#include <vector>
 
 #include "cave/scene/scene.h"
 #include "engine/light/light_cone.h"
@@ -29,5 +30,12 @@ std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches,
                              ViewTime moment = ViewTime::seen, bool followsLamps = false);
 std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen,
                                   bool followsLamps = false);
+
+/// The same texts in parts, to be joined: most parts are those of many shaders.
+using ShaderParts = std::vector<std::string>;
+ShaderParts bodyVertexParts(Legs legs, Paint paint, const Switches& switches,
+                            ViewTime moment = ViewTime::seen, bool followsLamps = false);
+ShaderParts surfaceFragmentParts(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen,
+                                 bool followsLamps = false);
 
 }  // namespace carom

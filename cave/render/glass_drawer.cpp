@@ -48,8 +48,10 @@ void GlassDrawer::draw(std::span<const Piece> pieces, const GlassPlace& place,
     glUniform1i(adds, pass);
     if (pass == 0) {
       glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+      glEnable(GL_CULL_FACE);  // the side that is turned to the eye takes for both
     } else {
       glBlendFunc(GL_ONE, GL_ONE);
+      glDisable(GL_CULL_FACE);
     }
     for (const Piece& piece : pieces) {
       if (pass == 0 && piece.look.taken == 0.0F) continue;

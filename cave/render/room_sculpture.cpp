@@ -1,5 +1,6 @@
 #include "cave/render/room_sculpture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <vtk_glew.h>
@@ -25,7 +26,7 @@ SculptureMap mapOf(const FrameRecord& record) {
 GlassLook tubeLook(const glm::vec3& colour) {
   GlassLook look;
   look.colour = codeOf(glm::max(colour, glm::vec3(0.06F)));
-  look.taken = 0.55F;
+  look.taken = 0.70F;
   look.shine = 0.10F;
   look.edge = 0.42F;
   return look;
@@ -67,8 +68,12 @@ void RoomSculpture::followTubes(const FrameRecord& record, const World& world) {
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
     const SculptedBody& body = shape_.game().bodies[i];
     Tube& tube = tubes_[i];
-    if (tube.shape.follow(body.puck, world.histories[body.body], past_s, now_s, base_s_))
+    if (tube.shape.follow(body.puck, world.histories[body.body], past_s, now_s, base_s_)) {
       tube.mesh.upload(tube.shape.points(), tube.shape.triangles());
+      tube.reach_m = 0.0;
+      for (const glm::vec3& point : tube.shape.points())
+        tube.reach_m = std::max<double>({tube.reach_m, std::abs(point.x), std::abs(point.y)});
+    }
   }
 }
 
@@ -149,11 +154,43 @@ GlassPlace RoomSculpture::placeFrom(const SculptureMap& map, const Vec3& viewpoi
   return place;
 }
 
+// In a frame of β an event at x and height h over the present is shown at x_o + (x − x_o)/γ − β h, where x_o
+// is the present's: at most the larger of |x| and |x_o|, and β h more.
+void RoomSculpture::bound(const SculptureMap& map, const Vec3& viewpoint_m) {
+  const SculpturePlace& place = map.place();
+  const Vec3 present_m = glm::abs(map.present().r_m), low_m = glm::abs(Vec3(shape_.low_m(), 0.0)),
+             high_m = glm::abs(Vec3(shape_.high_m(), 0.0));
+  double reach_m = 0.0;
+  for (const Vec3& each : {present_m, low_m, high_m}) reach_m = std::max({reach_m, each.x, each.y});
+  for (const Tube& tube : tubes_) reach_m = std::max(reach_m, tube.reach_m);
+  reach_m += glm::length(place.beta) * std::max(map.present_m(), map.top_m() - map.present_m());
+  for (std::size_t i = 0; i < boundCorners_.size(); ++i) {
+    const Vec3 model_m((i & 1U) ? reach_m : -reach_m, (i & 2U) ? reach_m : -reach_m,
+                       (i & 4U) ? map.top_m() : 0.0);
+    boundCorners_[i] = glm::vec4(place.roomFromFoot * (place.scale * model_m) - viewpoint_m, 1.0);
+  }
+}
+
+/// Returns whether the box is not wholly on the far side of one of the picture's borders, or behind the eye.
+bool RoomSculpture::mayShow(const glm::mat4& clipFromDrawn) const {
+  std::array<int, 5> beyond{};
+  for (const glm::vec4& corner : boundCorners_) {
+    const glm::vec4 clip = clipFromDrawn * corner;
+    for (int axis = 0; axis < 2; ++axis) {
+      beyond[static_cast<std::size_t>(2 * axis)] += clip[axis] > clip.w ? 1 : 0;
+      beyond[static_cast<std::size_t>(2 * axis + 1)] += clip[axis] < -clip.w ? 1 : 0;
+    }
+    beyond[4] += clip.w < 0.0F ? 1 : 0;
+  }
+  return std::find(beyond.begin(), beyond.end(), 8) == beyond.end();
+}
+
 void RoomSculpture::look(const FrameRecord& record, const World& world, const OwnLines& lines,
                          const Vec3& viewpoint_m, std::size_t viewer, std::span<const SeenTop> tops) {
   follow(record, world);
   const SculptureMap map = mapOf(record);
   place_ = placeFrom(map, viewpoint_m);
+  bound(map, viewpoint_m);
   marks_.batch.clear();
   const SculptureSight sight{map, shape_, lines, record, world.events, viewpoint_m, viewer, marks_.memory};
   addSculpture(sight, marks_.batch);
@@ -169,7 +206,7 @@ void RoomSculpture::draw(const glm::mat4& clipFromDrawn, unsigned framebuffer, c
                          float cutAt) const {
   const GlStateGuard state(framebuffer, size_px);
   glEnable(GL_DEPTH_TEST);
-  glass_.draw(pieces_, place_, clipFromDrawn);
+  if (mayShow(clipFromDrawn)) glass_.draw(pieces_, place_, clipFromDrawn);
   glDepthMask(GL_FALSE);
   blendOver();
   marks_.drawer.draw(clipFromDrawn, cutAt);

@@ -3,6 +3,7 @@
 // present in it. It is drawn as a thing at rest in the room, hanging with the walls. New knots of the game
 // add to it; all else of it is a matrix.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,10 +47,13 @@ class RoomSculpture {
     GrowingTube shape;
     GlassMesh mesh;
     GlassLook look;
+    double reach_m = 0.0;  ///< the farthest of its places from the board's middle, along x or y
   };
   void followTubes(const FrameRecord& record, const World& world);
   void makeSurfaces(const FrameRecord& record);
   GlassPlace placeFrom(const SculptureMap& map, const Vec3& viewpoint_m) const;
+  void bound(const SculptureMap& map, const Vec3& viewpoint_m);
+  bool mayShow(const glm::mat4& clipFromDrawn) const;
 
   SculptureShape shape_;
   GlassDrawer glass_;
@@ -59,6 +63,7 @@ class RoomSculpture {
   std::vector<glm::vec3> corners_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   GlassPlace place_;
+  std::array<glm::vec4, 8> boundCorners_{};  // of a box around the glass, from the eye
   double base_s_ = 0.0;
   struct Marks {
     MarkBuffer batch;

@@ -109,6 +109,16 @@ inline constexpr Text kStrongestThrust =
 inline constexpr Text kFastest = "No faster here: at {:.3g} c, {:.3g} s pass on the table in one of yours.";
 inline constexpr Text kHallWall =
     "The drive stops in front of the hall's walls. Home brings you back to the table.";
+inline constexpr Text kLinkCalls = "The other room is being called.";
+inline constexpr Text kLinkWaitsFor = "Waiting for the game of {}.";
+inline constexpr Text kLinkPaired = "{} plays at this table now.";
+inline constexpr Text kLinkGone = "{} has left: the game goes on here.";
+inline constexpr Text kLinkBack = "{} is back.";
+inline constexpr Text kLinkMismatch = "The game of {} was another one: each room plays on alone.";
+inline constexpr Text kLinkStill = "The light of {} is not here yet: time stands still.";
+inline constexpr Text kLinkMark = "{} is {:.1f} s of light away.";
+inline constexpr Text kLinkNoShot = "In a linked game nothing is shown again: time goes on for both rooms.";
+inline constexpr Text kLinkHostChooses = "The next game is for {} to choose.";
 inline constexpr Text kLeftRoom = "You have left the room: you are behind its wall '{}'. Step back in.";
 inline constexpr Text kStillThere = "Still there? {}    Move or press to stay.";
 inline constexpr Text kSculptureFastest = "The glass is shown up to {:.2f} c, and no faster.";

@@ -2,7 +2,9 @@
 // Memory in large pages, for arrays that are read here and there: the processor then finds with few entries
 // of its tables where they are.
 
+#ifndef __wasm__  // a page in a browser has one memory, and nothing to advise
 #include <sys/mman.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -19,7 +21,9 @@ inline void* allocateInLargePages(std::size_t bytes, std::size_t alignment) {
   const std::size_t page = bytes < kPage ? std::max(alignment, kLine) : kPage;
   void* const memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
   if (memory == nullptr) throw std::bad_alloc();
+#ifndef __wasm__
   if (page == kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // advice: nothing changes if it is not taken
+#endif
   return memory;
 }
 

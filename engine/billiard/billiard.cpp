@@ -35,7 +35,7 @@ bool sameKnot(const Knot& a, const Knot& b) {
 
 struct Billiard::Snapshot {
   CollisionScheduler game;
-  std::size_t events = 0;
+  std::uint64_t events = 0;
   std::size_t strokes = 0;
   std::shared_ptr<const SoftGame::Snapshot> soft{};
   double time = 0.0;  ///< to which it is played

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/base/joined_text.h"
 #include "engine/collision/moving_shape.h"
 #include "engine/collision/spinning_body.h"
 #include "engine/soft/soft_body.h"
@@ -22,10 +22,8 @@ constexpr double kTouching = 1e-12;
 
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
-  std::ostringstream text;
-  text.precision(17);
-  (text << ... << parts);
-  throw std::invalid_argument(text.str());
+  constexpr int kDigits = 17;
+  throw std::invalid_argument(joinedText(kDigits, parts...));
 }
 
 bool isPositive(double x) { return x > 0.0 && std::isfinite(x); }

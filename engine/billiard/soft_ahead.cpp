@@ -1,6 +1,13 @@
 #include "engine/billiard/soft_ahead.h"
 
 #include <algorithm>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
 #include <utility>
 
 namespace carom {
@@ -19,10 +26,39 @@ std::size_t statesOf(const SoftPlay& play) {
 
 }  // namespace
 
-SoftAhead::SoftAhead(const std::vector<SoftCushion>& cushions)
-    : play_(cushions), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+class SoftAhead::Player {
+ public:
+  explicit Player(const std::vector<SoftCushion>& cushions)
+      : play_(cushions), thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-void SoftAhead::start(Slice from) {
+  void start(Slice from);
+  Slice take();
+
+ private:
+  void run(const std::stop_token& stop);
+
+  Slice playSlice();
+
+  SoftPlay play_;  // the thread's, as the next
+  SoftRowBook rows_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::optional<Slice> start_;  // to start from, until the thread has taken it
+  std::deque<Slice> ahead_;
+  std::exception_ptr failure_;
+  std::jthread thread_;  // last: it uses the rest
+};
+
+SoftAhead::SoftAhead(const std::vector<SoftCushion>& cushions)
+    : player_(std::make_unique<Player>(cushions)) {}
+
+SoftAhead::~SoftAhead() = default;
+
+void SoftAhead::start(Slice from) { player_->start(std::move(from)); }
+
+SoftAhead::Slice SoftAhead::take() { return player_->take(); }
+
+void SoftAhead::Player::start(Slice from) {
   const std::lock_guard lock(mutex_);
   start_ = std::move(from);
   ahead_.clear();
@@ -30,7 +66,7 @@ void SoftAhead::start(Slice from) {
   changed_.notify_all();
 }
 
-SoftAhead::Slice SoftAhead::take() {
+SoftAhead::Slice SoftAhead::Player::take() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !ahead_.empty() || failure_; });
   if (ahead_.empty()) std::rethrow_exception(failure_);
@@ -40,7 +76,7 @@ SoftAhead::Slice SoftAhead::take() {
   return next;
 }
 
-SoftAhead::Slice SoftAhead::playSlice() {
+SoftAhead::Slice SoftAhead::Player::playSlice() {
   play_.playSlice();
   rows_.endSlice(play_);
   Slice slice{play_.snapshot(), rows_.snapshot(play_.time()), {}};
@@ -48,7 +84,7 @@ SoftAhead::Slice SoftAhead::playSlice() {
   return slice;
 }
 
-void SoftAhead::run(const std::stop_token& stop) {
+void SoftAhead::Player::run(const std::stop_token& stop) {
   play_.watch([this](std::size_t body, double) { rows_.step(body, play_); });
   std::unique_lock lock(mutex_);
   std::size_t most = 0;

@@ -8,14 +8,7 @@
 // anew from the state with that in it.
 // Theory: app/doc/physics.md, Soft bodies.
 
-#include <condition_variable>
-#include <cstddef>
-#include <deque>
-#include <exception>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
 #include <vector>
 
 #include "engine/billiard/soft_row_book.h"
@@ -35,6 +28,7 @@ class SoftAhead {
   };
 
   explicit SoftAhead(const std::vector<SoftCushion>& cushions);
+  ~SoftAhead();
 
   /// Plays on from this state; slices that have not been taken are void.
   void start(Slice from);
@@ -43,18 +37,8 @@ class SoftAhead {
   Slice take();
 
  private:
-  void run(const std::stop_token& stop);
-
-  Slice playSlice();
-
-  SoftPlay play_;  // the thread's, as the next
-  SoftRowBook rows_;
-  std::mutex mutex_;
-  std::condition_variable_any changed_;
-  std::optional<Slice> start_;  // to start from, until the thread has taken it
-  std::deque<Slice> ahead_;
-  std::exception_ptr failure_;
-  std::jthread thread_;  // last: it uses the rest
+  class Player;  // and its thread: where there are none, nobody makes one
+  std::unique_ptr<Player> player_;
 };
 
 }  // namespace carom

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <glm/geometric.hpp>
+
+#include "engine/base/joined_text.h"
 
 namespace carom {
 
@@ -19,9 +20,8 @@ double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 template <class... Parts>
 OutlineFault fault(std::size_t corner, const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return {corner, text.str()};
+  constexpr int kDigits = 6;
+  return {corner, joinedText(kDigits, parts...)};
 }
 
 /// Twice the area, with the sign of the direction of turning. Measured from a corner, so that nothing

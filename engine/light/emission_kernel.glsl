@@ -64,9 +64,11 @@ KERNEL VertexEmission uncontractedEmission(LEGS legs, int legCount, vec3 d, bool
   return emission;
 }
 
-/// The way of a vertex so far: straight pieces in the frame of one leg, the oldest first.
+/// The way of a vertex so far: pieces in the frame of one leg, the oldest first. A piece is straight, or
+/// follows the vertex's curve on the leg whose number it has; that of a straight one is −1.
 struct VertexPath {
   Piece pieces[MAX_PIECES];
+  int curves[MAX_PIECES];
   int count;
 };
 
@@ -79,39 +81,45 @@ struct Joining {
 /// The velocity, over c, of what takes this step in time and space.
 KERNEL vec3 velocityOf(vec4 step) { return vec3(step.y, step.z, step.w) / step.x; }
 
-/// Makes the latest piece end at event `a` of a leg that is not straight: the chord, or where there is no
-/// earlier piece the tangent at `a`. What lies behind `a` counts as its chord from now on: only a signal that
-/// comes out of turn could tell.
-KERNEL void endCurvedPiece(INOUT(VertexPath) path, vec4 a, vec3 velocity) {
-  int latest = path.count - 1;
-  vec4 chord = a - path.pieces[latest].start;
-  if (latest > 0 && chord.x > real(0)) velocity = velocityOf(chord);
-  if (latest == 0) path.pieces[0].start = a;
-  path.pieces[latest].velocity = velocity;
-}
+KERNEL bool isCurved(LegView leg) { return leg.spin.w > real(0) || leg.glide.w > real(0); }
 
-/// A: the event at which the vertex leaves `leg`, where the signal crosses the latest piece that had begun by
-/// then. Later pieces are dropped. The first piece has no beginning.
-KERNEL vec4 leaveLeg(INOUT(VertexPath) path, LegView leg, vec3 d, vec4 signal) {
-  vec4 a = crossingOf(path.pieces[path.count - 1], signal);
-  if (leg.spin.w > real(0)) {
-    real s = turningReached(leg, d, signal, real(1));
-    a = turningEvent(leg, d, s);
-    endCurvedPiece(path, a, velocityOf(turningFlow(leg, d, s)));
-  } else if (leg.glide.w > real(0)) {
-    real s = glideCrossing(leg, d, signal);
-    a = glideEvent(leg, d, s, true);
-    endCurvedPiece(path, a, velocityOf(glideFlow(leg, d, s, true)));
-  }
-  while (path.count > 1 && a.x < path.pieces[path.count - 1].start.x) {
-    path.count = path.count - 1;
-    a = crossingOf(path.pieces[path.count - 1], signal);
-  }
-  return a;
+/// Where the vertex's curve on `leg` crosses the future cone of the signal.
+KERNEL vec4 crossingOnCurve(LegView leg, vec3 d, vec4 signal) {
+  if (leg.spin.w > real(0)) return turningEvent(leg, d, turningReached(leg, d, signal, real(1)));
+  return glideEvent(leg, d, glideCrossing(leg, d, signal), true);
 }
 
 /// An event of the previous leg's frame, in the frame of `leg`.
 KERNEL vec4 fromPreviousLeg(LegView leg, vec4 event) { return leg.originInThis + leg.fromPrevious * event; }
+
+/// The inverse: of a Lorentz transform Λ it is η Λᵀ η.
+KERNEL vec4 toPreviousLeg(LegView leg, vec4 event) {
+  vec4 here = event - leg.originInThis;
+  vec4 there = vec4(here.x, -here.y, -here.z, -here.w) * leg.fromPrevious;
+  return vec4(there.x, -there.y, -there.z, -there.w);
+}
+
+/// Where the latest piece crosses the future cone of the signal; both are in the frame of leg `i`.
+KERNEL vec4 crossingOfLatest(LEGS legs, int i, INOUT(VertexPath) path, vec3 d, vec4 signal) {
+  int curve = path.curves[path.count - 1];
+  if (curve < 0) return crossingOf(path.pieces[path.count - 1], signal);
+  for (int k = i; k > curve; --k) signal = toPreviousLeg(legAt(legs, k), signal);
+  vec4 a = crossingOnCurve(legAt(legs, curve), d, signal);
+  for (int k = curve + 1; k <= i; ++k) a = fromPreviousLeg(legAt(legs, k), a);
+  return a;
+}
+
+/// A: the event at which the vertex leaves leg `i`, where the signal crosses the latest piece that had
+/// begun by then. Later pieces are dropped: a signal that comes out of turn cuts an earlier piece. The first
+/// piece has no beginning.
+KERNEL vec4 leaveLeg(LEGS legs, int i, INOUT(VertexPath) path, vec3 d, vec4 signal) {
+  vec4 a = crossingOfLatest(legs, i, path, d, signal);
+  while (path.count > 1 && a.x < path.pieces[path.count - 1].start.x) {
+    path.count = path.count - 1;
+    a = crossingOfLatest(legs, i, path, d, signal);
+  }
+  return a;
+}
 
 /// Takes the pieces from the previous leg's frame into the frame of `leg`.
 KERNEL void enterFrame(INOUT(VertexPath) path, LegView leg) {
@@ -143,15 +151,20 @@ KERNEL Joining joinLeg(LegView leg, vec3 d, vec4 a) {
   return joining;
 }
 
-/// Adds the two pieces of a joining. Without room for them, forgets the two oldest: no signal reaches that
-/// far back.
-KERNEL void addJoining(INOUT(VertexPath) path, Joining joining) {
+/// Adds the two pieces of a joining of leg `i`. Without room for them, forgets the two oldest: no signal
+/// reaches that far back.
+KERNEL void addJoining(INOUT(VertexPath) path, Joining joining, LegView leg, int i) {
   if (path.count > MAX_PIECES - 2) {
-    for (int k = 2; k < path.count; ++k) path.pieces[k - 2] = path.pieces[k];
+    for (int k = 2; k < path.count; ++k) {
+      path.pieces[k - 2] = path.pieces[k];
+      path.curves[k - 2] = path.curves[k];
+    }
     path.count = path.count - 2;
   }
   path.pieces[path.count] = joining.way;
+  path.curves[path.count] = -1;
   path.pieces[path.count + 1] = joining.rest;
+  path.curves[path.count + 1] = isCurved(leg) ? i : -1;
   path.count = path.count + 2;
 }
 
@@ -172,17 +185,18 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retard
   VertexPath path;
   path.pieces[0].start = vec4(real(0), d);
   path.pieces[0].velocity = vec3(real(0));
+  path.curves[0] = isCurved(leg) ? 0 : -1;
   path.count = 1;
   vec4 here = emission.event;  // the same event, in the frame of the leg at hand
   for (int i = 1; i < legCount; ++i) {
     LegView next = legAt(legs, i);
     bool reached = reachedBy(next.signalInPrevious, here);
-    vec4 a = leaveLeg(path, leg, d, next.signalInPrevious);
+    vec4 a = leaveLeg(legs, i - 1, path, d, next.signalInPrevious);
     enterFrame(path, next);
     here = fromPreviousLeg(next, here);
     // Kept by name, too: Mesa 22 loses the pieces when they are read back from the array.
     Joining joining = joinLeg(next, d, fromPreviousLeg(next, a));
-    addJoining(path, joining);
+    addJoining(path, joining, next, i);
     if (reached) {
       emission.event = emissionOnLeg(next, d, retarded, true);
       emission.catchingUp = emission.event.x < joining.rest.start.x;
@@ -190,7 +204,6 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retard
       emission.leg = i;
       here = emission.event;
     }
-    leg = next;
   }
   return emission;
 }

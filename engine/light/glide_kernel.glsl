@@ -46,6 +46,9 @@ KERNEL vec4 glideFlow(LegView leg, vec3 d, real s, bool contracted) {
 /// Newton's steps to a root: the functions are nearly straight (R a < 1/2), so few are needed.
 KERNEL int glideSteps() { return 8; }
 
+/// A bound of s that is none: no way is that long.
+KERNEL real noBound() { return real(1e6); }
+
 /// Where the vertex crosses the past cone of the eye: l0 − t = |e − x|.
 KERNEL real glideEmission(LegView leg, vec3 d, bool contracted) {
   real s = dot(leg.toBoardTime, vec4(-extraDistance(leg, d), d));
@@ -85,34 +88,67 @@ KERNEL real glideCrossing(LegView leg, vec3 d, vec4 signal) {
   return s;
 }
 
-/// Where one that set out at `start` at catchUpSpeed in the frame of the turn meets it. Its lead there grows
-/// with s, but hardly where friction has slowed the leg much: a step that would leave the known bounds of the
-/// meeting goes half of the way instead.
+/// A search for a root between two bounds that ends by itself.
+struct RootSearch {
+  real at, before, after;
+  real step;  // the latest
+  bool ended;
+};
+
+/// The most steps; hardly any search takes ten.
+KERNEL int boundedSteps() { return 40; }
+
+/// Takes the value and the slope where the search is. Goes on by Newton's step if that stays between the
+/// bounds and is at most half of the one before, else to their middle; while none is known after it, as far
+/// again as it has come. It ends where it has been.
+KERNEL void advance(INOUT(RootSearch) root, real value, real slope) {
+  if (value > real(0)) root.after = root.at;
+  else root.before = root.at;
+  real step = -value / slope;
+  real next = root.at + step;
+  bool nears = max(step, -step) <= real(0.5) * root.step;
+  if (!(next >= root.before && next <= root.after && nears)) {
+    bool bounded = root.after < noBound();
+    next = bounded ? real(0.5) * (root.before + root.after) : root.at + max(root.at - root.before, real(1));
+    step = bounded ? root.after - root.before : noBound();
+  }
+  root.step = max(step, -step);
+  root.ended = next == root.before || next == root.after;
+  root.at = next;
+}
+
+/// The speed at which a vertex catches up with a leg on which its place is this fast at most, in the rest
+/// frame of the turn.
+KERNEL real fasterThan(real speed) { return max(catchUpSpeed(), real(0.5) + real(0.5) * speed); }
+
+/// The speed that friction gives the leg in the rest frame of its turn, in the end.
+KERNEL real glideFallsBack(LegView leg) { return leg.glideTimes.x / gammaOf(leg.glideTimes.x); }
+
+/// Where one that set out at `start` to catch up meets it. Its lead in the frame of the turn grows with s.
 KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   // u of the turn's rest frame in this one
   real u = leg.glideTimes.x * gammaOf(leg.glideTimes.y) - leg.glideTimes.y * gammaOf(leg.glideTimes.x);
   real gamma = gammaOf(u);
   real gap = length(d - vec3(start.y, start.z, start.w));
-  real s = dot(leg.toBoardTime, vec4(start.x + gap / catchUpSpeed(), d));
-  real before = dot(leg.toBoardTime, start);
-  real after = before + real(1e6);  // no way is that long
-  for (int i = 0; i < glideSteps() + 4; ++i) {
-    vec4 way = glideEvent(leg, d, s, true) - start;
-    vec4 flow = glideFlow(leg, d, s, true);
+  real speed = fasterThan(glideFallsBack(leg));
+  RootSearch root;
+  root.at = dot(leg.toBoardTime, vec4(start.x + gap / speed, d));
+  root.before = dot(leg.toBoardTime, start);
+  root.after = noBound();
+  root.step = noBound();
+  root.ended = false;
+  for (int i = 0; i < boundedSteps() && !root.ended; ++i) {
+    vec4 way = glideEvent(leg, d, root.at, true) - start;
+    vec4 flow = glideFlow(leg, d, root.at, true);
     vec3 x = vec3(way.y, way.z, way.w);
     vec3 f = vec3(flow.y, flow.z, flow.w);
     vec3 xTurn = x + n * ((gamma - real(1)) * dot(x, n) - u * way.x);
     vec3 fTurn = f + n * ((gamma - real(1)) * dot(f, n) - u * flow.x);
     real length_ = length(xTurn);
-    real value = catchUpSpeed() * (gamma * way.x - u * dot(x, n)) - length_;
-    real slope = catchUpSpeed() * (gamma * flow.x - u * dot(f, n)) - dot(fTurn, xTurn) / max(length_, real(1e-9));
-    if (value < real(0)) before = s;
-    else after = s;
-    real nearer = s - value / slope;
-    if (!(nearer > before)) nearer = real(0.5) * (before + s);
-    if (!(nearer < after)) nearer = real(0.5) * (after + s);
-    s = nearer;
+    real value = speed * (gamma * way.x - u * dot(x, n)) - length_;
+    real slope = speed * (gamma * flow.x - u * dot(f, n)) - dot(fTurn, xTurn) / max(length_, real(1e-9));
+    advance(root, value, slope);
   }
-  return s;
+  return root.at;
 }

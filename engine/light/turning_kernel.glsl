@@ -126,30 +126,31 @@ KERNEL real turningReached(LegView leg, vec3 d, vec4 from, real speed) {
   bool glides = leg.glide.w > real(0);
   // Counted from the earlier event, which may lie far back.
   real since = glides ? dot(leg.toBoardTime, from) : from.x;
-  real before = glides ? -turningSpread(leg, d) : real(0);
   vec4 there = inTurnFrame(leg, turningEvent(leg, d, since) - from);
-  real s = length(vec3(there.y, there.z, there.w)) / speed;
-  real after = glides ? real(1e6) : (length(d) + length(vec3(from.y, from.z, from.w))) / speed * real(1.00001);
-  for (int i = 0; i < turningSteps(); ++i) {
-    vec4 way = inTurnFrame(leg, turningEvent(leg, d, since + s) - from);
-    vec4 flow = inTurnFrame(leg, turningFlow(leg, d, since + s));
+  RootSearch root;
+  root.at = length(vec3(there.y, there.z, there.w)) / speed;
+  root.before = glides ? -turningSpread(leg, d) : real(0);
+  root.after =
+      glides ? noBound() : (length(d) + length(vec3(from.y, from.z, from.w))) / speed * real(1.00001);
+  root.step = noBound();
+  root.ended = false;
+  for (int i = 0; i < boundedSteps() && !root.ended; ++i) {
+    vec4 way = inTurnFrame(leg, turningEvent(leg, d, since + root.at) - from);
+    vec4 flow = inTurnFrame(leg, turningFlow(leg, d, since + root.at));
     vec3 x = vec3(way.y, way.z, way.w);
     real distance = length(x);
     real g = speed * way.x - distance;
     real slope = speed * flow.x - dot(vec3(flow.y, flow.z, flow.w), x) / max(distance, real(1e-9));
-    before = g > real(0) ? before : s;
-    after = g > real(0) ? s : after;
-    real next = s - g / slope;
-    if (!(next >= before)) next = real(0.5) * (before + s);
-    if (!(next <= after)) next = real(0.5) * (after + s);
-    s = next;
+    advance(root, g, slope);
   }
-  return since + s;
+  return since + root.at;
 }
 
-/// The speed at which a vertex catches up with a leg on which it goes round: faster than it does, half way
-/// between its own speed at the turn and light's if that is more than catchUpSpeed.
+/// The speed at which a vertex catches up with a leg on which it goes round, while friction may leave it
+/// behind.
 KERNEL real turningCatchUpSpeed(LegView leg, vec3 d) {
   real turn = isSlowed(leg) ? leg.spinSlows.z : real(0);
-  return max(catchUpSpeed(), real(0.5) + real(0.5) * length(spinVelocity(leg, d, turn)));
+  real around = length(spinVelocity(leg, d, turn));
+  real back = leg.glide.w > real(0) ? glideFallsBack(leg) : real(0);
+  return fasterThan((around + back) / (real(1) + around * back));
 }

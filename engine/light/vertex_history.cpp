@@ -9,6 +9,7 @@
 #include "engine/base/portable_math.h"
 #include "engine/base/root.h"
 #include "engine/light/emission_kernel.h"
+#include "engine/spacetime/catch_up.h"
 
 namespace carom {
 namespace {
@@ -190,10 +191,13 @@ VertexPiece firstPiece(const Knot& knot, const Vec3& offset_m, double c_m_s) {
   return piece;
 }
 
-/// The speed, over c, at which a point catches up with the leg of the knot.
+/// The speed, over c, at which a point catches up with the leg of the knot. In the rest frame of the turn its
+/// place goes round with the spin, and is left behind by friction, by the body's whole speed in the end: both
+/// together are at most (w + β)/(1 + w β).
 double catchUpSpeedOf(const Knot& knot, const Vec3& offset_m, double c_m_s) {
-  if (!spins(knot)) return kCatchUpSpeed;
-  return std::max(kCatchUpSpeed, 0.5 + 0.5 * glm::length(betaAboard({knot, offset_m}, 0.0, c_m_s)));
+  const double round = spins(knot) ? glm::length(betaAboard({knot, offset_m}, 0.0, c_m_s)) : 0.0;
+  const double back = knot.deceleration_m_s2 > 0.0 ? glm::length(betaFromU(knot.u)) : 0.0;
+  return std::max(kCatchUpSpeed, 0.5 + 0.5 * (round + back) / (1.0 + round * back));
 }
 
 /// Where a point that leaves `left` at catchUpSpeed, in the rest frame of the knot's turn, meets its place on
@@ -413,7 +417,7 @@ double furthestReach(const Vec3& x, const Vec3& u, double radius_m) {
 //     the second, N_i finds it within that: ≤ (γ + u)(R + |x_i|) + U_q·(N_i − N_m). Else N_i finds it at most
 //     τ = t_i − t_j + |x_i − x_j| after A_j, as |x_A − x_j| = t_A − t_j: ≤ b_j(q) + U_q·(N_j − N_m) + τ (γ +
 //     w u).
-// The last leg is joined (|x_N| + b + R)/w after A.
+// The last leg is caught up with from at most |x_N| + b + R away.
 double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   const double c_m_s = line.lightSpeed_m_s(), radius_m = line.radius_m();
   const Knots knots = line.knots();
@@ -439,7 +443,8 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
       const double gamma = gammaFromU(u), size = glm::length(u);
       double onLeg_m = furthestReach(x, u, radius_m);
       if (m > 0) {  // all had joined the first
-        const double w = spins(knots[from + m]) ? 1.0 : kCatchUpSpeed;
+        const bool isEven = !spins(knots[from + m]) && knots[from + m].deceleration_m_s2 == 0.0;
+        const double w = isEven ? kCatchUpSpeed : 1.0;
         onLeg_m = std::max(onLeg_m, (gamma + size) * (radius_m + glm::length(x)));
         onLeg_m = std::max(onLeg_m, bounds[m * count + q] + time_m(q, legs[m].signal - legs[m + 1].signal) +
                                         tau_m * (gamma + w * size));
@@ -449,10 +454,8 @@ double boundOfJoining_s(const WorldLine& line, std::size_t from) {
   }
   const Displacement signal = legs.back().fromBoard * (knot.signal - knot.turn);
   const double found_m = bounds.back();
-  const double joined_s =
-      signal.dt_s + (found_m + (glm::length(signal.dr_m) + found_m + radius_m) / kCatchUpSpeed) / c_m_s;
-  // Friction moves the goal by less than the way to it while R a < c²/2.
-  return knot.deceleration_m_s2 > 0.0 ? 2.0 * joined_s : joined_s;
+  const double gap_m = glm::length(signal.dr_m) + found_m + radius_m;
+  return signal.dt_s + found_m / c_m_s + catchUpAtMost_s(knot, gap_m, radius_m, c_m_s);
 }
 
 /// The longest of points all around the body, `around` on the equator and a third as many half way up,

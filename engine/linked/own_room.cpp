@@ -23,13 +23,17 @@ double OwnRoom::reachBeside(const Event& head, std::span<const Event> others) co
   return reachBeside_m(reach_m_, nearest_m);
 }
 
-StrokeTold OwnRoom::strike(std::uint32_t viewer, const Stroke& stroke, const Lorentz& boardFromRoom) {
-  if (present_.strokes == kMostStrokesTold) throw std::length_error("OwnRoom: too many strokes in one game");
+Stroke OwnRoom::putOff(std::uint32_t viewer, const Stroke& stroke, const Lorentz& boardFromRoom) const {
   const Event kept = promises_.at(viewer).putOff({stroke.at_s, stroke.from_m.value()}, boardFromRoom);
-  StrokeTold told{present_.strokes++, viewer, stroke};
-  told.stroke.at_s = kept.t_s;
-  told.stroke.from_m = kept.r_m;
-  return told;
+  Stroke off = stroke;
+  off.at_s = kept.t_s;
+  off.from_m = kept.r_m;
+  return off;
+}
+
+StrokeTold OwnRoom::made(std::uint32_t viewer, const Stroke& stroke) {
+  if (present_.strokes == kMostStrokesTold) throw std::length_error("OwnRoom: too many strokes in one game");
+  return {present_.strokes++, viewer, stroke};
 }
 
 const Present& OwnRoom::tell(const Observers& observers, std::span<const Vec3> handsFromHeads_m,

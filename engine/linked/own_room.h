@@ -21,7 +21,16 @@ class OwnRoom {
   /// Returns a person's stroke as it is told and played: put off along the room's time until it keeps the
   /// promise told before. Every stroke that is returned must be told before the next present. Throws
   /// std::length_error after kMostStrokesTold strokes.
-  StrokeTold strike(std::uint32_t viewer, const Stroke& stroke, const Lorentz& boardFromRoom);
+  StrokeTold strike(std::uint32_t viewer, const Stroke& stroke, const Lorentz& boardFromRoom) {
+    return made(viewer, putOff(viewer, stroke, boardFromRoom));
+  }
+  /// The two steps of `strike`, for games that may refuse a stroke in between: the stroke as it keeps the
+  /// promise, and such a stroke once it has been played.
+  Stroke putOff(std::uint32_t viewer, const Stroke& stroke, const Lorentz& boardFromRoom) const;
+  StrokeTold made(std::uint32_t viewer, const Stroke& stroke);
+
+  /// Goes on after this number of strokes, made in this room's place earlier in the game.
+  void continueAfter(std::uint32_t strokes) { present_.strokes = strokes; }
 
   /// Returns the present after a frame, with new promises. `handsFromHeads_m`: of each person, in the room's
   /// axes; `waits`: the people did not live on.

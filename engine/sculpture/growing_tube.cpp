@@ -87,7 +87,7 @@ void GrowingTube::add(const Puck& puck, const WorldLine& line, Part part) {
   part.triangles = triangles_.size();
   const Span span{std::max(part.span.from_s, line.appears_s()), part.span.until_s};
   if (span.from_s < span.until_s) {
-    const WorldTube tube = worldTube(puck, lately(line, part.leg), span);
+    const WorldTube tube = worldTube(puck, lately(line, part.leg), span, 1.0, kEvery);
     std::vector<std::vector<Event>> events;
     for (const auto& generator : tube.generators) {
       events.push_back(eventsAlong(generator, span, tube.c_m_s, kChord_m));

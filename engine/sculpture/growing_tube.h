@@ -19,6 +19,8 @@ class GrowingTube {
  public:
   /// How far ahead of the present it reaches at least; it is made in slices of kSlice_s.
   static constexpr double kAhead_s = 8.0, kSlice_s = 4.0;
+  /// Of the rim's points it takes one of so many: between them it is off by at most 2 % of a disc's radius.
+  static constexpr std::size_t kEvery = 3;
   /// By how much chords may be off where a point does not move straight.
   static constexpr double kChord_m = 5e-4;
 

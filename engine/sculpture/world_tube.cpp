@@ -38,10 +38,12 @@ std::vector<Vec2> rimOf(const Puck& puck) {
   return rim;
 }
 
-WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, double widened) {
+WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, double widened,
+                    std::size_t every) {
   WorldTube tube{line.lightSpeed_m_s(), {std::max(span.from_s, line.appears_s()), span.until_s}, {}};
-  for (const Vec2& point : rimOf(puck))
-    tube.generators.push_back(vertexHistory(line, Vec3(point * widened, 0.5 * puck.height_m)));
+  const std::vector<Vec2> rim = rimOf(puck);
+  for (std::size_t i = 0; i < rim.size(); i += every)
+    tube.generators.push_back(vertexHistory(line, Vec3(rim[i] * widened, 0.5 * puck.height_m)));
   return tube;
 }
 

@@ -4,6 +4,7 @@
 // the puck turns, the side that is struck turns first.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,8 +27,10 @@ struct WorldTube {
   std::vector<std::vector<VertexPiece>> generators;  ///< one for each point
 };
 
-/// Returns the tube of a rigid puck. `widened` multiplies the distances of the rim's points from the centre.
-WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, double widened = 1.0);
+/// Returns the tube of a rigid puck. `widened` multiplies the distances of the rim's points from the centre;
+/// of the points of `rimOf`, each one of `every` is taken.
+WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, double widened = 1.0,
+                    std::size_t every = 1);
 
 /// Returns the events of a history from the first to the second board time: at both, at every turn between,
 /// and where it does not move straight so near that its chords are off by less than `chord_m`.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "engine/base/portable_math.h"
+#include "engine/spacetime/catch_up.h"
 
 namespace carom {
 
@@ -45,6 +46,20 @@ Motion glide(Event turn, Vec3 u, double turnProperTime_s, double deceleration_m_
 }  // namespace
 
 Motion motionOnLeg(const Knot& knot, double t_s, double c_m_s) { return motionFrom(knot, t_s, c_m_s); }
+
+// c = 1, in the rest frame of the turn. In a time T there friction moves the centre by at most a T²/2, and by
+// at most β T, and the contraction moves a point's place by at most R (1 − 1/γ) more. With the gap g ≥ 2 R:
+// If a g ≤ 0.3, after T = 2 g/0.9 the centre has moved by at most 0.75 g, and γ ≤ 1.21, so the place is at
+// most g + 0.75 g + 0.18 R < 2 g away. Else the speed is at least (1 + β)/2, and the gap closes at that less
+// β.
+double catchUpAtMost_s(const Knot& knot, double gap_m, double radius_m, double c_m_s) {
+  const double plain_s = gap_m / (kCatchUpSpeed * c_m_s);
+  if (knot.deceleration_m_s2 == 0.0) return plain_s;
+  if (knot.deceleration_m_s2 * gap_m <= 0.3 * c_m_s * c_m_s && 2.0 * radius_m <= gap_m) return 2.0 * plain_s;
+  const double back = glm::length(betaFromU(knot.u));
+  const double speed = std::max(kCatchUpSpeed, 0.5 + 0.5 * back);
+  return (gap_m + radius_m) / ((speed - back) * c_m_s);
+}
 
 double rimUAfter(const Spin& spin, double own_s) {
   if (spin.slowing_1_s == 0.0 || !(own_s > 0.0)) return spin.rim_u;
@@ -93,7 +108,7 @@ RestFrameSplit inRestFrame(const Vec3& u, const Displacement& d, double c_m_s) {
 // c = 1, origin at the turn. A point at x, |x| ≤ ρ, of the old leg's rest frame leaves it at A when the
 // signal (t_n, x_n) arrives: t_A = t_n + |x − x_n|, so |t_A| ≤ |t_n + |x_n|| + ρ. Seen from the new leg's
 // rest frame, which moves at relative rapidity η, both coordinates of A are at most e^η times the larger of
-// the two bounds; from there the point needs at most (|x_A| + R)/kCatchUpSpeed.
+// the two bounds; from there the point is at most |x_A| + R from its place.
 Settling WorldLine::settlingOf(const Knot& next, const Motion& before, double radiusThen_m) const {
   const RestFrameSplit signal = inRestFrame(before.u, next.signal - next.turn, c_m_s_);
   const double reachOld_m = std::abs(signal.time_m + signal.distance_m) + radiusThen_m;
@@ -101,9 +116,8 @@ Settling WorldLine::settlingOf(const Knot& next, const Motion& before, double ra
       std::max(1.0, gammaFromU(before.u) * gammaFromU(next.u) - glm::dot(before.u, next.u));
   const double expEta = gammaRelative + std::sqrt(gammaRelative * gammaRelative - 1.0);
   const double reach_m = std::max(radius_m_, expEta * reachOld_m);
-  const double join_s = (reach_m + (reach_m + radius_m_) / kCatchUpSpeed) / c_m_s_;
-  // Friction moves the goal by less than the way to it while R a < c²/2.
-  return {next.deceleration_m_s2 > 0.0 ? 2.0 * join_s : join_s, reach_m, true};
+  const double join_s = reach_m / c_m_s_ + catchUpAtMost_s(next, reach_m + radius_m_, radius_m_, c_m_s_);
+  return {join_s, reach_m, true};
 }
 
 double WorldLine::noteNext(const Knot& last, const Knot& next) {

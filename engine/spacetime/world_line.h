@@ -16,7 +16,7 @@
 namespace carom {
 
 /// The speed, over c, at which a point of a body catches up with its outgoing leg, in the rest frame of that
-/// leg. A point that goes round on that leg faster than at 0.8 c catches up at (1 + its speed)/2.
+/// leg. Where its place there becomes faster than 0.8 c, by spin or friction: at (1 + that speed)/2.
 inline constexpr double kCatchUpSpeed = 0.9;
 
 // The spin `own_s` after the turn, by the centre's own clock. Before the turn it is uniform.

@@ -116,9 +116,11 @@ struct Leg {
 };
 
 /// In the outgoing body's rest frame, on the way from one leg to the next; faster than the point goes round
-/// there.
+/// there and friction leaves it behind.
 inline double catchUpSpeed(const Leg& leg, const Vec& d) {
-  return std::max(0.9, 0.5 * (1.0 + std::abs(leg.rate) * std::hypot(d.x, d.y)));
+  const double round = std::abs(leg.rate) * std::hypot(d.x, d.y),
+               back = leg.glides() ? glm::length(leg.v) : 0.0;
+  return std::max(0.9, 0.5 * (1.0 + std::tanh(std::atanh(round) + std::atanh(back))));
 }
 
 /// The world line of one body-fixed point, as the rules lay it: it leaves where the signal reaches it,

@@ -25,7 +25,8 @@ proves() {
 }
 
 "$carom" cave --rig "$out/room.toml" --frames 6 --session "$out/views.db" --capture "$out/views" --no-window \
-  --view board-now --view my-now --view paths --view events --view clocks --view split --switch colour=on \
+  --view board-now --view my-now --view paths --view events --view clocks --view spacetime --view split \
+  --switch colour=on \
   --switch searchlight=on 2>"$out/stderr" || fail "a session with views: $(cat "$out/stderr")"
 "$carom" cave --rig "$out/room.toml" --frames 6 --capture "$out/plain" --no-window 2>"$out/stderr" ||
   fail "a session without: $(cat "$out/stderr")"

@@ -30,8 +30,6 @@ inline LinkPresent samplePresent() {
     message.persons[i] = {glm::angleAxis(0.5, Vec3(0.0, 0.0, 1.0)), Vec3(0.5, 0.0, -0.25), 3,
                           Vec3(0.1, 0.0, 0.2), 7};
   }
-  message.heard = 70;
-  message.heardAge_s = 0.125;
   message.boardFromRoom = (Lorentz::boost(Vec3(0.3, -0.4, 0.0), 1.42) *
                            Lorentz::rotation(glm::angleAxis(1.0, Vec3(0.0, 0.0, 1.0)), 1.42))
                               .matrix();
@@ -46,7 +44,10 @@ inline std::vector<LinkMessage> sampleMessages() {
   hello.room = "grenoble";
   hello.viewers = {"anna", "ben"};
   hello.floor = {{-1.5, -1.0}, {1.5, 2.0}};
+  hello.game = 99;
+  hello.heard = 3;
   LinkWelcome welcome;
+  welcome.game = 99;
   welcome.apart_m = 1.25;
   welcome.lightSpeedShown_m_s = 1.42;
   welcome.board_s = 81.5;

@@ -4,11 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "app/stage/scenario_scene.h"
 #include "app/tables/event_table.h"
+#include "app/temporary_folder.h"
+#include "cave/texts/texts.h"
 #include "engine/billiard/billiard.h"
 #include "engine/random_world.h"
+#include "log_lines.h"
 
 namespace carom {
 namespace {
@@ -57,6 +63,80 @@ TEST(SculptureStand, TheFileSaysWhereAndHowLarge) {
   SculptureStand(rig, scenario, {}).putInto(record);
   EXPECT_EQ(record.sculpture.place.scale, 0.5);
   EXPECT_NEAR(record.sculpture.place.height_m, 1.5 * 0.5 * scenario.billiard.lightSpeed_m_s, 1e-12);
+}
+
+TEST(SculptureStand, AHeightOfNothingIsRefusedWithItsPlace) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.file(
+      "flat.toml", test::contentOf(CAROM_CONFIG_DIR "/rigs/desk.toml") + "\n[spacetime]\nheight_m = 0.0\n");
+  try {
+    readRig(file);
+    FAIL() << "a height of 0 is taken";
+  } catch (const InputErrors& error) {
+    EXPECT_NE(std::string(error.what()).find("height_m is 0"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("0.1"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SculptureStand, APlaceOutsideTheRoomIsWarnedOf) {
+  Rig rig = deskRig();
+  const Scenario scenario = shipped("table");
+  for (const auto& [place_m, isOutside] : {std::pair{Vec3(0.9, 0.0, -0.5), false},
+                                           {Vec3(0.0, 0.0, 0.0), false},
+                                           {Vec3(30.0, 0.0, 0.0), true},
+                                           {Vec3(0.0, 12.0, 0.0), true}}) {
+    rig.spacetime.place_m = place_m;
+    const test::LogLines log;
+    const SculptureStand stand(rig, scenario, {});
+    const std::vector<std::string> said = log.said();
+    ASSERT_EQ(said.size(), isOutside ? 1U : 0U) << place_m.x;
+    if (isOutside) {
+      EXPECT_NE(said[0].find("warning: [spacetime] place = ["), std::string::npos) << said[0];
+    }
+    FrameRecord record = recordOf(scenario, rig);
+    SculptureStand(rig, scenario, {}).putInto(record);
+    EXPECT_EQ(record.sculpture.place.roomFromFoot.position_m, place_m) << "it stands where the file says";
+  }
+}
+
+TEST(SculptureStand, OfTenThousandPucksTheHundredNearestAreShownAndThatIsSaid) {
+  const Rig rig = deskRig();
+  Scenario scenario = shipped("table");
+  const Puck first = scenario.billiard.pucks.front();
+  scenario.billiard.pucks.assign(10000, first);
+  for (std::size_t i = 0; i < 10000; ++i)
+    scenario.billiard.pucks[i].position_m = {0.001 * static_cast<double>((7919 * i) % 10000), 0.0};
+  const SculptedBodies shown = sculptedBodies(scenario);
+  ASSERT_EQ(shown.pucks.size(), 100U);
+  EXPECT_EQ(shown.leftOut, 9900U);
+  for (const std::size_t puck : shown.pucks) EXPECT_LT(scenario.billiard.pucks[puck].position_m.x, 0.1);
+  FrameRecord record = recordOf(scenario, rig);
+  SculptureStand stand(rig, scenario, {});
+  stand.putInto(record);
+  const World world;
+  EXPECT_EQ(stand.touch({}, 0, world, record).said, fmt::format(texts::message::kNotSculpted, 100, 9900));
+  EXPECT_EQ(stand.touch({}, 0, world, record).said, "") << "once";
+}
+
+TEST(SculptureStand, BodiesThatMoveAsToldHaveTheOutlinesOfTheirMeshes) {
+  const Scenario scenario = shipped("train-in-tunnel");
+  int compared = 0;
+  for (const ScriptedBody& body : scenario.bodies) {
+    const Puck puck = outlineOf(body);
+    double least_m = 0.0, most_m = 0.0;
+    for (const Vec2& corner : puck.outline_m) {
+      least_m = std::min(least_m, corner.x);
+      most_m = std::max(most_m, corner.x);
+    }
+    if (body.name != "train" && body.name != "tunnel") continue;
+    EXPECT_NEAR(most_m - least_m, body.name == "train" ? 1.5 : 1.0, 0.03) << body.name;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 2);
+  ScriptedBody rod{"rod", scenario.bodies.front().worldLine, {}, true};
+  EXPECT_NEAR(outlineOf(rod).radius_m, 0.5, 0.01);
+  rod.isDrawn = false;
+  EXPECT_EQ(outlineOf(rod).radius_m, 0.02);
 }
 
 TEST(SculptureStand, BeadsHaveTheOrderOfTheTableOfEventsInEveryFrame) {

@@ -25,6 +25,7 @@
 
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
+#include "app/play/sculpture_hands.h"
 #include "app/program.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/display/display_walls.h"
@@ -406,6 +407,66 @@ TEST_F(HeadsetSession, BareHandsStrikeAsControllersDo) {
   }
   EXPECT_EQ(strokes[0].puck, strokes[1].puck);
   EXPECT_EQ(strokes[0].momentum_kg_m_s, strokes[1].momentum_kg_m_s);
+}
+
+/// A hand that points 45° down at `at_m` from frame 10 on, presses from 20 to 60 and moves by `pull_m`
+/// meanwhile.
+std::vector<Scripted> pulling(const glm::vec3& at_m, const glm::vec3& pull_m, std::size_t frames) {
+  std::vector<Scripted> script = walk(frames);
+  for (std::size_t i = 0; i < frames; ++i) {
+    const bool isPressed = i >= 20 && i < 60;
+    const float share = isPressed ? static_cast<float>(i - 20) / 40.0F : i < 20 ? 0.0F : 1.0F;
+    script[i].trigger = isPressed ? 1.0F : 0.0F;
+    script[i].hand_m = at_m + glm::vec3(0.0F, 0.5F, 0.5F) + share * pull_m;
+  }
+  return script;
+}
+
+TEST_F(HeadsetSession, AHandBoostsAndMovesSpacetime) {
+  ASSERT_EQ(begin(walk(4), {"--view", "spacetime"}).status, 0);
+  const SculpturePlace place = framesIn(database()).back().record.sculpture.place;
+  const double present_m = place.scale * 1.42 * place.past_s;
+  const auto inRoom_m = [&](const Vec3& ownPlace_m) { return glm::vec3(place.roomFromFoot * ownPlace_m); };
+  const glm::vec3 ring_m = inRoom_m({kSculptureRing_m * place.scale, 0.0, present_m});
+
+  const std::vector<Scripted> script = pulling(ring_m, {0.2F, 0.0F, 0.0F}, 70);
+  const test::ProgramResult boosted = begin(script, {"--view", "spacetime"});
+  ASSERT_EQ(boosted.status, 0) << boosted.err;
+  EXPECT_NE(boosted.err.find("The glass is shown as somebody at 0."), std::string::npos) << boosted.err;
+  const std::vector<FrameState> frames = framesIn(database());
+  EXPECT_EQ(frames[15].record.sculpture.place.beta, Vec3(0.0));
+  EXPECT_EQ(frames[40].record.sculpture.held, 1);
+  EXPECT_EQ(frames.back().record.sculpture.held, 0);
+  const Vec3 beta = frames.back().record.sculpture.place.beta;
+  const double pulled_m = 0.2 * 39.0 / 40.0;
+  EXPECT_NEAR(glm::length(beta), std::tanh(pulled_m / SculptureHands::kRapidity_m), 0.02);
+  EXPECT_EQ(SessionFile(database())
+                .strokes(readScenario(CAROM_CONFIG_DIR "/scenarios/three-pucks.toml").billiard.pucks)
+                .size(),
+            0U)
+      << "the hand is the sculpture's";
+
+  // Every picture is that of a rig with the same walls and eyes.
+  const std::vector<Submitted> seen = submittedIn(folder_ / "seen");
+  ASSERT_EQ(seen.size(), script.size());
+  ReferenceRig reference;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    reference.take(frames[i]);
+    const auto drawn = reference.draw(frames[i].record, seen[i], false);
+    for (std::size_t eye = 0; eye < 2; ++eye)
+      ASSERT_EQ(drawn[eye], withoutAlpha(seen[i].rgba[eye])) << i << ", eye " << eye;
+  }
+
+  // Pulled further than it can be boosted, that is said; a hand at its foot moves it.
+  const test::ProgramResult limited = begin(pulling(ring_m, {3.0F, 0.0F, 0.0F}, 70), {"--view", "spacetime"});
+  EXPECT_NE(limited.err.find("The glass is shown up to 0.95 c, and no faster"), std::string::npos)
+      << limited.err;
+  EXPECT_NEAR(glm::length(framesIn(database()).back().record.sculpture.place.beta), kMostSculptureBeta, 1e-9);
+  ASSERT_EQ(
+      begin(pulling(inRoom_m({0.0, 0.0, 0.03}), {0.0F, 0.0F, -0.3F}, 70), {"--view", "spacetime"}).status, 0);
+  const Vec3 moved_m = framesIn(database()).back().record.sculpture.place.roomFromFoot.position_m -
+                       place.roomFromFoot.position_m;
+  EXPECT_LT(glm::length(moved_m - Vec3(0.0, 0.0, -0.3 * 39.0 / 40.0)), 0.02) << moved_m.x << ' ' << moved_m.z;
 }
 
 /// Returns the pixel of an eye's picture, as a fraction of its size from below, that shows a place of the

@@ -1,5 +1,6 @@
 #include "app/tools/check.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -24,6 +25,19 @@ TEST(Check, TellsWhatARigIs) {
     EXPECT_NE(result.out.find(words), std::string::npos) << result.out;
   }
   EXPECT_NE(result.out.find("eyes 64.0 mm apart"), std::string::npos) << result.out;
+}
+
+// A rig of several computers whose second one is forgotten is right for `carom cave`, but not for a room.
+TEST(Check, WarnsOfANodeWithoutAHost) {
+  const TemporaryFolder folder;
+  std::string text = test::contentOf(CAROM_CONFIG_DIR "/rigs/four-walls-cluster.toml");
+  for (const int rank : {0, 1, 3}) text += fmt::format("\n[[node]]\nrank = {0}\nhost = \"pc-{0}\"\n", rank);
+  const auto result = runCarom(folder, {"check", folder.file("room.toml", text)});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("warning: "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("node 2 of the rig has no host though others have, expected a [[node]]"),
+            std::string::npos)
+      << result.err;
 }
 
 TEST(Check, TellsWhatAScenarioIs) {

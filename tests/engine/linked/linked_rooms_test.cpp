@@ -2,14 +2,26 @@
 // others is known, and both games are the same to the bit.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "engine/game_digest.h"
 #include "engine/linked/linked_game.h"
 
 namespace carom::test {
 namespace {
+
+/// The long form, for tests/run --thorough, plays all delays and three times as many strokes.
+bool isThorough() { return std::getenv("CAROM_LINKED") != nullptr; }
+
+std::vector<double> someOf(std::vector<double> delays_s) {
+  if (isThorough()) return delays_s;
+  std::vector<double> some_s;
+  for (std::size_t i = 1; i < delays_s.size(); i += 2) some_s.push_back(delays_s[i]);
+  return some_s;
+}
 
 struct Result {
   LinkedCounts both;
@@ -30,7 +42,8 @@ void expectTheSameGame(LinkedGame& game) {
 }
 
 /// Plays a game and expects the rule to hold in it.
-Result playHolding(const LinkedRules& rules) {
+Result playHolding(LinkedRules rules) {
+  if (!isThorough()) rules.strokes /= 3;
   SCOPED_TRACE(words(rules));
   LinkedGame game(rules);
   game.play();
@@ -55,6 +68,7 @@ Result playHolding(const LinkedRules& rules) {
     result.both.mostPutOff_s = std::max(result.both.mostPutOff_s, counts.mostPutOff_s);
   }
   expectTheSameGame(game);
+  EXPECT_GE(result.both.strokes, rules.most_s < 400.0 ? 6U : rules.strokes);
   std::cout << words(rules) << ": waiting " << 100.0 * result.waiting << " %, put off " << result.both.putOff
             << " of " << result.both.strokes << " by " << result.both.mostPutOff_s << " s at most, looks "
             << result.both.looks << ", kicks without delay " << result.both.withoutDelay << ", nearest "
@@ -63,12 +77,11 @@ Result playHolding(const LinkedRules& rules) {
 }
 
 TEST(LinkedRooms, NothingSeenChangesWhateverTheLineDoes) {
-  for (const double late_s : {0.0, 0.02, 0.1, 0.25, 0.5, 1.0, 2.0}) {
+  for (const double late_s : someOf({0.0, 0.02, 0.1, 0.25, 0.5, 1.0, 2.0})) {
     LinkedRules rules;
     rules.line = {late_s, 0.1 * late_s, 0.0, true, 0.0};
     const Result result = playHolding(rules);
-    EXPECT_GE(result.both.strokes, 90U);
-    EXPECT_GT(result.both.looks, 500U);
+    EXPECT_GT(result.both.looks, 300U);
     EXPECT_LT(result.both.withoutDelay, 10U);
     if (late_s <= 0.1) {
       EXPECT_EQ(result.waiting, 0.0);
@@ -81,20 +94,20 @@ TEST(LinkedRooms, NothingSeenChangesWhateverTheLineDoes) {
 
 TEST(LinkedRooms, NothingSeenChangesWhereMessagesAreLostRepeatedAndSwapped) {
   std::uint64_t seed = 11;
-  for (const double late_s : {0.02, 0.1, 0.25, 0.5, 1.0, 2.0}) {
+  for (const double late_s : someOf({0.02, 0.1, 0.25, 0.5, 1.0, 2.0})) {
     for (const bool isStream : {true, false}) {
       LinkedRules rules;
       rules.line = {late_s, 0.5 * late_s, 0.2, isStream, 0.1};
       rules.seed = seed++;
       rules.most_s = 200.0;  // a slow line waits
-      EXPECT_GT(playHolding(rules).both.strokes, 20U);
+      playHolding(rules);
     }
   }
 }
 
 // Two people in each room, as near to those of the other as their walks bring them.
 TEST(LinkedRooms, NothingSeenChangesWherePeopleComeNear) {
-  for (const double late_s : {0.02, 0.05, 0.1}) {
+  for (const double late_s : someOf({0.02, 0.05, 0.1})) {
     for (const std::size_t viewers : {1U, 2U}) {
       LinkedRules rules;
       rules.apart_m = 1.3;
@@ -102,9 +115,8 @@ TEST(LinkedRooms, NothingSeenChangesWherePeopleComeNear) {
       rules.line = {late_s, 0.1 * late_s, 0.0, true, 0.0};
       rules.seed = 30 + viewers;
       const Result result = playHolding(rules);
-      EXPECT_GE(result.both.strokes, 90U);
       EXPECT_LT(result.both.nearest_m, 0.5);
-      EXPECT_GT(result.both.putOff, 10U);
+      EXPECT_GT(result.both.putOff, 3U);
     }
   }
 }
@@ -116,7 +128,7 @@ TEST(LinkedRooms, NothingSeenChangesOnMovingPlatforms) {
     rules.line = {0.25, 0.125, 0.1, false, 0.1};
     rules.strokes = 40;
     rules.most_s = 40.0;
-    EXPECT_GT(playHolding(rules).both.strokes, 20U);
+    playHolding(rules);
   }
 }
 
@@ -127,15 +139,15 @@ TEST(LinkedRooms, NothingSeenChangesUnderThrust) {
     rules.viewers = viewers;
     rules.line = {0.1, 0.05, 0.1, true, 0.0};
     rules.seed = 40 + viewers;
-    EXPECT_GE(playHolding(rules).both.strokes, 90U);
+    playHolding(rules);
   }
 }
 
 TEST(LinkedRooms, NothingSeenChangesForARoomThatJoinsLate) {
-  for (const double late_s : {0.02, 0.1, 0.5}) {
+  for (const double late_s : someOf({0.02, 0.1, 0.5})) {
     LinkedRules rules;
     rules.joins_s = 60.0;
-    rules.strokes = 120;
+    rules.strokes = isThorough() ? 120 : 70;
     rules.line = {late_s, 0.1 * late_s, 0.0, true, 0.0};
     SCOPED_TRACE(words(rules));
     LinkedGame game(rules);
@@ -163,6 +175,7 @@ TEST(LinkedRooms, HardlyAnybodyWaitsAtTheDistanceOfTheLine) {
 // ---------------------------------------------------------------- each guard left out
 LinkedCounts playWithout(Without guard, LinkedRules rules) {
   rules.without = guard;
+  if (!isThorough()) rules.strokes /= 2;
   LinkedGame game(rules);
   game.play();
   LinkedCounts both = game.room(0).counts();
@@ -203,7 +216,7 @@ TEST(LinkedRooms, WithoutReachStrokesComeTooLate) {
 TEST(LinkedRooms, WithoutPuttingOffStrokesComeTooLate) {
   LinkedRules rules = slowLine();
   rules.reach_m = 0.0;
-  EXPECT_GT(playHolding(rules).both.putOff, 80U);
+  EXPECT_GT(playHolding(rules).both.putOff, 25U);
   rules.isTrusting = true;
   const LinkedCounts counts = playWithout(Without::puttingOff, rules);
   EXPECT_GT(counts.broken, 0U);

@@ -72,6 +72,24 @@ TEST(GrowingTube, GrownStepByStepItIsTheSameAsMadeAtOnce) {
   EXPECT_GT(games, 3);
 }
 
+TEST(GrowingTube, AGameWithoutAPastBeginsWithIt) {
+  Puck puck;
+  puck.radius_m = 0.03;
+  puck.height_m = 0.02;
+  constexpr double kC_m_s = 1.42, kBegins_s = 3.0;
+  const WorldLine line({{kBegins_s, {0.1, 0.2, 0.01}}, uFromBeta({0.5, 0.0, 0.0}), 0.0, {}, 0.0}, kC_m_s,
+                       0.04, kBegins_s);
+  GrowingTube tube;
+  for (const double now_s : {kBegins_s, kBegins_s + 0.5}) {
+    tube.follow(puck, line, kPast_s, now_s, 0.0);
+    ASSERT_FALSE(tube.points().empty());
+    for (const glm::vec3& point : tube.points()) ASSERT_GE(point.z, kC_m_s * kBegins_s - 1e-5);
+  }
+  GrowingTube before;
+  before.follow(puck, line, kPast_s, kBegins_s - 20.0, 0.0);
+  EXPECT_TRUE(before.points().empty()) << "the puck is not there yet";
+}
+
 // A stroke makes a game take another course: what the old one had after it is gone.
 TEST(GrowingTube, TakesBackWhatDoesNotHappen) {
   test::Random random(3610);

@@ -19,10 +19,10 @@ namespace {
 constexpr double kExact_m = 1e-9;
 
 TEST(RimCut, LiesOnTheTubeAndOnTheMomentsSurface) {
-  int events = 0, inexact = 0;
+  int events = 0, fast = 0;
   BodyView view;
   std::vector<Event> cut;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const test::RandomGame game = test::randomGame(seed, {.events = 60, .packed = 8});
     const BilliardSetup& setup = game.setup;
     if (setup.pucks.size() > 12 || game.until_s > 60.0) continue;
@@ -35,13 +35,9 @@ TEST(RimCut, LiesOnTheTubeAndOnTheMomentsSurface) {
       const WorldLine& line = billiard.worldLines()[puck];
       const Event eye{random.in(0.2, until_s), Vec3(random.in(-2.0, 2.0), random.in(-2.0, 2.0), 0.7)};
       const Lorentz headFromBoard = Lorentz::boost(random.u(0.9), c_m_s);
-      double gamma = 1.0;     // fast pucks are contracted, and what is rounded is stretched
-      bool isCurved = false;  // events on curved legs are found by steps
-      for (const Knot& knot : line.knots()) {
-        gamma = std::max(gamma, gammaFromU(knot.u));
-        isCurved = isCurved || knot.deceleration_m_s2 > 0.0 || spins(knot);
-      }
-      if (gamma > 3.2) continue;  // beyond 0.95 c signals can come out of turn
+      const Knots knots = line.knots();
+      const bool isFast = std::any_of(knots.begin(), knots.end(),
+                                      [](const Knot& knot) { return glm::length(betaFromU(knot.u)) > 0.95; });
       Rim rim;
       for (const Vec2& point_m : rimOf(setup.pucks[puck]))
         rim.emplace_back(point_m, 0.5 * setup.pucks[puck].height_m);
@@ -50,9 +46,7 @@ TEST(RimCut, LiesOnTheTubeAndOnTheMomentsSurface) {
         ASSERT_EQ(cut.size(), rim.size());
         for (std::size_t i = 0; i < rim.size(); i += 3) {
           const Event& event = cut[i];
-          const double size =
-              gamma * gamma *
-              (1.0 + glm::length(event.r_m - eye.r_m) + c_m_s * std::abs(event.t_s - eye.t_s));
+          const double size = 1.0 + glm::length(event.r_m - eye.r_m) + c_m_s * std::abs(event.t_s - eye.t_s);
           const Vec3 place_m = placeAt(pieceAt(vertexHistory(line, rim[i]), event.t_s), event.t_s, c_m_s);
           const Displacement own = headFromBoard * (event - eye);
           const double off_m = moment == ViewTime::seen
@@ -60,16 +54,16 @@ TEST(RimCut, LiesOnTheTubeAndOnTheMomentsSurface) {
                                : moment == ViewTime::myNow ? c_m_s * own.dt_s
                                                            : c_m_s * (event.t_s - eye.t_s);
           ASSERT_NEAR(off_m, 0.0, kExact_m * size) << "moment " << static_cast<int>(moment);
-          const double apart_m = glm::distance(place_m, event.r_m);
-          ASSERT_LT(apart_m, 1e-6 * size) << static_cast<int>(moment);
-          inexact += apart_m > kExact_m * size;
+          ASSERT_LT(glm::distance(place_m, event.r_m), kExact_m * size)
+              << "moment " << static_cast<int>(moment) << ", puck " << puck << ", point " << i;
           ++events;
+          fast += isFast;
         }
       }
     }
   }
   EXPECT_GT(events, 5000);
-  EXPECT_LT(inexact, events / 100);
+  EXPECT_GT(fast, 1000);
 }
 
 }  // namespace

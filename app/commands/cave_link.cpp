@@ -1,0 +1,140 @@
+#include "app/commands/cave_link.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "app/files/config_folder.h"
+#include "app/files/rig_viewers.h"
+#include "engine/base/log.h"
+#include "engine/base/outside_file.h"
+#include "engine/base/xxh3.h"
+#include "engine/linked/seats.h"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t kMostPucks = 200;
+
+LinkSelf selfOf(const Rig& rig, const LinkAddress& address) {
+  const LinkSetup& setup = rig.link.value();
+  LinkSelf self;
+  self.hosts = address.listens;
+  self.room = setup.name;
+  self.viewers = namesOf(rig.viewers);
+  self.floor = floorOf(rig);
+  self.reach_m = setup.reach_m;
+  self.gone_s = setup.gone_s;
+  self.apart_m = setup.apart_m;
+  self.program = CAROM_VERSION;
+  return self;
+}
+
+/// Returns the scenario's mesh files by their names, each with the digest of its content.
+std::vector<LinkWelcome::Mesh> meshesOf(const Scenario& scenario) {
+  std::set<std::filesystem::path> files;
+  for (const auto& mesh : scenario.puckMeshes)
+    if (mesh) files.insert(mesh->file);
+  for (const ScriptedBody& body : scenario.bodies)
+    if (body.mesh) files.insert(*body.mesh);
+  std::vector<LinkWelcome::Mesh> meshes;
+  for (const std::filesystem::path& file : files) {
+    const std::string content = contentOf(file, InputKind::mesh);
+    meshes.push_back({file.filename().string(), XXH3_64bits(content.data(), content.size())});
+  }
+  return meshes;
+}
+
+}  // namespace
+
+std::string whyNotLinked(const Scenario& scenario) {
+  const BilliardSetup& game = scenario.billiard;
+  if (scenario.lesson) return "it is a lesson, in which every room has its own time";
+  if (game.rules.collisionEvent != CollisionEvent::centre)
+    return "its pucks turn at once (collision_event = \"contact\"), faster than light";
+  const bool isSoft = std::ranges::any_of(game.pucks, [](const Puck& puck) { return puck.soft.has_value(); });
+  if (isSoft) return "it has soft pucks, which two rooms do not compute alike to the bit";
+  if (game.pucks.size() > kMostPucks)
+    return fmt::format("it has {} pucks, expected {} at most", game.pucks.size(), kMostPucks);
+  return {};
+}
+
+Floor floorOf(const Rig& rig) {
+  std::vector<Wall> walls = drawnWalls(rig);
+  std::erase_if(walls, [](const Wall& wall) { return wall.sky || wall.onHead; });
+  Floor floor;
+  if (walls.size() < 2) return floor;
+  floor.least_m = glm::dvec2(1e9);
+  floor.most_m = glm::dvec2(-1e9);
+  for (const Wall& wall : walls) {
+    for (const Vec3& corner : {wall.lowerLeft_m, wall.lowerRight_m, wall.upperLeft_m,
+                               wall.lowerRight_m + wall.upperLeft_m - wall.lowerLeft_m}) {
+      const glm::dvec2 at(glm::dot(corner, rig.axes.right), glm::dot(corner, rig.axes.forward));
+      floor.least_m = glm::min(floor.least_m, at);
+      floor.most_m = glm::max(floor.most_m, at);
+    }
+  }
+  return floor;
+}
+
+LinkKey linkKeyOf(const Rig& rig, const std::filesystem::path& file) {
+  if (!rig.link)
+    throw std::runtime_error(
+        fmt::format("--link: the rig {} has no [link], expected one with name and key", file.string()));
+  return LinkKey::read(rig.link->key);
+}
+
+CaveLink::CaveLink(const Rig& rig, const std::filesystem::path& rigFile, const LinkAddress& address)
+    : address_(address),
+      line_(address, linkKeyOf(rig, rigFile)),
+      play_(selfOf(rig, address), line_, arithmeticFingerprint()),
+      room_(play_, invitedFile()) {
+  log::note(
+      fmt::format("link: {} with the key {}", address.text(), LinkKey::read(rig.link->key).fingerprint()));
+}
+
+std::string CaveLink::invitedFile() { return (configFolder() / "scenarios" / "linked.toml").string(); }
+
+void CaveLink::wait() { room_.begin(true); }
+
+void CaveLink::play(const InputFile& file, Scenario& scenario) {
+  LinkedGame game;
+  game.scenario = textOf(file);
+  game.whyNot = whyNotLinked(scenario);
+  if (game.scenario.size() > kMostScenarioBytes)
+    game.whyNot =
+        fmt::format("its file has {} bytes, expected {} at most", game.scenario.size(), kMostScenarioBytes);
+  game.billiard = scenario.billiard;
+  game.start = scenario.observer;
+  game.meshes = meshesOf(scenario);
+  const double apart_m = play_.self().apart_m.value_or(0.0);
+  if (!joins()) scenario.observer = seat(scenario.observer, 0, 2, apart_m);
+  play_.play(std::move(game));
+  room_.begin(false);
+}
+
+std::string CaveLink::join(Scenario& scenario) {
+  const LinkWelcome welcome = room_.invitation().value();
+  if (const std::string why = whyNotLinked(scenario); !why.empty()) return why;
+  LinkedGame game;
+  game.scenario = welcome.scenario;
+  game.meshes = meshesOf(scenario);
+  for (const LinkWelcome::Mesh& mesh : welcome.meshes) {
+    const bool isHere = std::ranges::any_of(game.meshes, [&](const LinkWelcome::Mesh& here) {
+      return here.name == mesh.name && here.digest == mesh.digest;
+    });
+    if (!isHere) return fmt::format("the mesh {} is not here or differs", mesh.name);
+  }
+  game.billiard = scenario.billiard;
+  game.start = scenario.observer;
+  scenario.observer = seat(scenario.observer, welcome.room, welcome.rooms, welcome.apart_m);
+  play_.join(welcome, std::move(game));
+  room_.begin(false);
+  return {};
+}
+
+}  // namespace carom

@@ -1,0 +1,61 @@
+#pragma once
+// The link of a session of `carom cave` with another room.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/files/rig.h"
+#include "app/files/scenario.h"
+#include "app/link/link_address.h"
+#include "app/link/link_line.h"
+#include "app/link/linked_play.h"
+#include "app/session/linked_room.h"
+#include "app/stage/handover.h"
+
+namespace carom {
+
+/// Returns why no other room may play a game; empty if one may.
+std::string whyNotLinked(const Scenario& scenario);
+
+/// Returns the floor on which the people of a rig walk: the box of its walls, or ± 1 m where there is one
+/// wall.
+Floor floorOf(const Rig& rig);
+
+/// Returns the rig's key for a link. Throws std::runtime_error if the rig has no [link] or the key is
+/// refused.
+LinkKey linkKeyOf(const Rig& rig, const std::filesystem::path& file);
+
+class CaveLink {
+ public:
+  /// Begins to listen or to call. Throws std::runtime_error if the rig has no [link], its key is refused, or
+  /// the port is taken.
+  CaveLink(const Rig& rig, const std::filesystem::path& rigFile, const LinkAddress& address);
+  ~CaveLink() { play_.leave("the session has ended"); }
+  CaveLink(const CaveLink&) = delete;
+  CaveLink& operator=(const CaveLink&) = delete;
+
+  bool joins() const { return !address_.listens; }
+  LinkedRoom& room() { return room_; }
+
+  /// Waits for an invitation, in a game in which time stands.
+  void wait();
+  /// Begins a game for this room and who joins it. Puts the room in its seat.
+  void play(const InputFile& file, Scenario& scenario);
+  /// Begins the game of the invitation, which `scenario` is. Returns why it cannot be played here; empty if
+  /// it can.
+  std::string join(Scenario& scenario);
+  /// Refuses the invitation.
+  void refuse(const std::string& why) { play_.leave(why); }
+
+  /// Returns the file as which the game of an invitation is played.
+  static std::string invitedFile();
+
+ private:
+  LinkAddress address_;
+  LinkLine line_;
+  LinkedPlay play_;
+  LinkedRoom room_;
+};
+
+}  // namespace carom

@@ -1,0 +1,39 @@
+#pragma once
+// Another room of a linked game as rows of a session file (app/journal/journal.h).
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "app/journal/journal_news.h"
+
+namespace carom {
+
+/// Rows still to be written, each with the number of its frame.
+struct LinkBatch {
+  template <typename Row>
+  using Rows = std::vector<std::pair<std::uint64_t, Row>>;
+
+  Rows<LinkRow> rows;
+  Rows<LinkPersonRow> persons;
+  Rows<LinkNoteRow> notes;
+
+  void add(std::uint64_t frame, const LinkNews& news);
+  bool empty() const { return rows.empty() && persons.empty() && notes.empty(); }
+  void clear();
+};
+
+class LinkWriter {
+ public:
+  /// Creates the tables if they are not there.
+  explicit LinkWriter(SQLite::Database& database);
+
+  void write(const LinkBatch& batch);
+
+ private:
+  SQLite::Statement row_, person_, note_;
+};
+
+}  // namespace carom

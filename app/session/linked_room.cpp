@@ -1,0 +1,217 @@
+#include "app/session/linked_room.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cave/texts/texts.h"
+#include "engine/base/log.h"
+
+namespace carom {
+namespace {
+
+constexpr double kNoticed_s = 0.3;  // a shorter stillness is not explained
+constexpr double kMinute_s = 60.0;
+
+}  // namespace
+
+void LinkedRoom::begin(bool isHall) {
+  isHall_ = isHall;
+  invitation_.reset();
+  isFirst_ = true;
+  strokesIn_ = strokesOut_ = putOff_ = 0;
+  waited_s_ = waiting_ = 0.0;
+  kept_ = "-";
+}
+
+std::vector<Stroke> LinkedRoom::strokesBefore() const {
+  std::vector<Stroke> strokes;
+  for (const LinkStroke& stroke : play_.strokes()) strokes.push_back(stroke.told.stroke);
+  return strokes;
+}
+
+/// Says what has happened, once where it happens again and again.
+void LinkedRoom::say(const LinkNote& note, Announcements& announcements, Decision& decision) {
+  const std::string words = note.what + ": " + note.value;
+  if (words == said_) return;
+  said_ = words;
+  decision.link.notes.push_back({play_.otherNumber(), note.what, note.value});
+  log::note("link: " + words);
+  const std::string& other = play_.otherName();
+  if (note.what == LinkNote::kPaired)
+    announcements.say(fmt::format(texts::message::kLinkPaired, other), decision);
+  if (note.what == LinkNote::kGone)
+    announcements.say(fmt::format(texts::message::kLinkGone, other), decision);
+  if (note.what == LinkNote::kBack)
+    announcements.say(fmt::format(texts::message::kLinkBack, other), decision);
+  if (note.what == LinkNote::kMismatch)
+    announcements.say(fmt::format(texts::message::kLinkMismatch, other), decision);
+}
+
+HandStroke LinkedRoom::rowOf(const LinkStroke& stroke) const {
+  const auto& names = stroke.room == play_.room() ? play_.self().viewers : play_.otherViewers();
+  const std::size_t viewer = stroke.told.viewer;
+  return {stroke.told.stroke, viewer, stroke.room, stroke.told.number,
+          viewer < names.size() ? names[viewer] : std::to_string(viewer + 1)};
+}
+
+void LinkedRoom::hear(Game& game, Announcements& announcements, Decision& decision) {
+  if (isFirst_) {  // the game began with these
+    for (const LinkStroke& stroke : play_.strokes()) decision.link.strokes.push_back(rowOf(stroke));
+    if (play_.lightSpeedShown_m_s() > 0.0)
+      decision.commands.emplace_back(SetLightSpeed{play_.lightSpeedShown_m_s()});
+    isFirst_ = false;
+  }
+  play_.hear(LinkClock::now());
+  const LinkHeard& heard = play_.heard();
+  for (const LinkStroke& stroke : heard.strokes) {
+    try {
+      game.strike(stroke.told.stroke);
+    } catch (const std::invalid_argument& error) {
+      log::warn(fmt::format("link: a stroke of {} is void: {}", play_.otherName(), error.what()));
+    }
+    ++strokesIn_;
+    decision.link.strokes.push_back(rowOf(stroke));
+  }
+  for (const LinkNote& note : heard.notes) say(note, announcements, decision);
+  for (const LinkPresent& present : heard.presents) {
+    for (std::size_t i = 0; i < present.present.size; ++i) {
+      const PersonTold& person = present.present.persons[i];
+      decision.link.persons.push_back({present.room, play_.otherViewers().at(i), present.present.number,
+                                       person.head, person.properTime_s});
+    }
+  }
+  if (heard.settings) {
+    decision.commands.emplace_back(SetLightSpeed{heard.settings->lightSpeedShown_m_s});
+    decision.commands.emplace_back(SetView{&TimeViews::frozen, heard.settings->isFrozen});
+  }
+  if (auto invitation = play_.takeInvitation()) {
+    invitation_ = std::move(invitation);
+    decision.commands.emplace_back(PlayScenario{invited_, true});
+  }
+}
+
+std::optional<ObserverViews> LinkedRoom::move(const Scenario& scenario, RoomMotion& room,
+                                              const RoomStep& step) {
+  pace_ = 1.0;
+  const auto now = LinkClock::now();
+  if (!isHall_ && !play_.own()) {
+    if (const std::optional<double> begins_s = play_.begins_s(now)) {
+      if (*begins_s > 0.0) room.startAt(scenario.observer, *begins_s);
+      play_.begin(room.viewers().observers(), now);
+    }
+  }
+  if (!isLiving()) {
+    room.viewers().follow(step.times);
+    return std::nullopt;
+  }
+  const double hurry = play_.pace(now);
+  const std::array paces{step.pace * hurry, step.pace};
+  const std::size_t viewers = room.viewers().size();
+  bool isHurry = true;
+  const auto isAllowed = [&](const ObserverViews& views) {
+    pace_ = std::exchange(isHurry, false) ? hurry : 1.0;
+    for (std::size_t i = 0; i < viewers; ++i) {
+      for (const EyeView& eye : views[i].all())
+        if (!play_.allows(eye.observation)) return false;
+    }
+    return true;
+  };
+  return room.advanceIf(step, std::span(paces).subspan(hurry == 1.0 ? 1 : 0), isAllowed);
+}
+
+void LinkedRoom::tellWaiting(bool waits, double step_s, Announcements& announcements) {
+  waited_s_ = waits ? waited_s_ + step_s : 0.0;
+  std::string words;
+  if (isHall_ || !play_.own()) {
+    words = play_.otherName().empty() ? texts::message::kLinkCalls
+                                      : fmt::format(texts::message::kLinkWaitsFor, play_.otherName());
+  } else if (waited_s_ > kNoticed_s) {
+    words = fmt::format(texts::message::kLinkStill, play_.otherName());
+  } else if (play_.state() == LinkState::playing) {
+    words = fmt::format(texts::message::kLinkMark, play_.otherName(), play_.slack_s());
+    // Once a second is often enough for a number.
+    if (kept_.starts_with(play_.otherName()) && frames_ % 60 != 0) words = kept_;
+  }
+  if (words == kept_) return;
+  kept_ = words;
+  announcements.keep(words);
+}
+
+HandStroke LinkedRoom::struck(std::size_t viewer, const Stroke& stroke, bool isPutOff) {
+  ++strokesOut_;
+  putOff_ += isPutOff ? 1 : 0;
+  const LinkStroke made = play_.struck(static_cast<std::uint32_t>(viewer), stroke);
+  return {stroke, viewer, made.room, made.told.number, {}};
+}
+
+void LinkedRoom::tell(const RoomMotion& room, const Game& game, const OperatorSettings& settings, bool waits,
+                      Decision& decision) {
+  ++frames_;
+  const FrameRecord& record = decision.frame.record;
+  const double share = std::min(1.0, 1.0 / (60.0 * kMinute_s));
+  waiting_ += share * ((waits ? 1.0 : 0.0) - waiting_);
+  if (!play_.own()) return;
+  const Viewers& viewers = room.viewers();
+  std::array<Vec3, kMostViewers> hands_m{};
+  LinkedPlay::Persons persons{};
+  std::array<Event, 3 * kMostViewers> eyes{};
+  for (std::size_t i = 0; i < viewers.size(); ++i) {
+    const ViewerState& viewer = record.viewers[i];
+    const EyeView& middle = viewer.observer.middle;
+    if (viewer.hand.shown) hands_m[i] = viewer.hand.from_m - middle.positionInRoom_m;
+    const HeadEstimate& head = viewers.head(i);
+    persons[i] = {head.pose.orientation, head.celerity_m_s, static_cast<std::uint32_t>(viewer.hand.target),
+                  viewer.hand.pulling ? viewer.hand.towards : Vec3(0.0),
+                  static_cast<std::uint32_t>(viewer.score.caroms)};
+    std::size_t eye = 3 * i;
+    for (const EyeView& view : viewer.observer.all()) eyes[eye++] = view.observation;
+  }
+  play_.tell(viewers.observers(), std::span(hands_m).first(viewers.size()), persons,
+             std::span(eyes).first(3 * viewers.size()), waits, LinkClock::now());
+  play_.compare(game.pucks());
+  play_.tellSettings(settings.lightSpeed_m_s, settings.views.frozen != 0);
+  own_s_ = viewers.observers().properTime_s();
+  addRows(decision);
+}
+
+void LinkedRoom::addRows(Decision& decision) const {
+  const OtherRoom* const other = play_.other();
+  if (!other) return;
+  const Present& present = other->present();
+  for (std::size_t i = 0; i < present.size && i < play_.otherViewers().size(); ++i) {
+    decision.link.rows.push_back({play_.otherNumber(), wordFor(play_.state()), other->newest().number,
+                                  play_.roundTrip().median_s, present.persons[i].promise,
+                                  play_.otherViewers()[i], play_.own()->present().waits, pace_,
+                                  play_.sameUntil_s()});
+  }
+}
+
+std::string LinkedRoom::whyNotChoose() const {
+  if (play_.state() == LinkState::alone && isLiving()) return {};
+  return play_.otherName().empty() ? texts::message::kLinkCalls
+                                   : fmt::format(texts::message::kLinkHostChooses, play_.otherName());
+}
+
+LinkReport LinkedRoom::report() const {
+  LinkReport report;
+  report.room = play_.self().room;
+  report.other = play_.otherName();
+  report.state = play_.state();
+  report.roundTrip = play_.roundTrip();
+  report.slack_s = play_.slack_s();
+  report.apart_m = play_.apart_m();
+  report.pace = pace_;
+  report.waiting = waiting_;
+  report.strokesIn = strokesIn_;
+  report.strokesOut = strokesOut_;
+  report.putOff = putOff_;
+  report.sameUntil_s = play_.sameUntil_s();
+  report.own_s = own_s_;
+  if (play_.other()) report.others_s = play_.other()->newest().persons[0].properTime_s;
+  return report;
+}
+
+}  // namespace carom

@@ -1,0 +1,83 @@
+#include "app/journal/linked_game_file.h"
+
+#include <gtest/gtest.h>
+
+#include "app/journal/journal.h"
+#include "app/journal_frames.h"
+#include "app/temporary_folder.h"
+#include "log_lines.h"
+
+namespace carom {
+namespace {
+
+using namespace test;
+
+LinkNews newsOf(std::uint64_t frame) {
+  const double x = 0.1 * static_cast<double>(frame);
+  LinkNews news;
+  news.rows.push_back({1, "playing", 100 + frame, 0.2, {x, {1.0, -0.0, x}}, "anna", frame % 2 == 0, 1.5, 7});
+  news.persons.push_back({1, "anna", 100 + frame, {x + 1.0 / 3.0, {x, 2.0, 1.6}}, x / 7.0});
+  if (frame == 3) news.notes.push_back({1, "paired", "game 0123456789abcdef with lyon to ± 10 ms"});
+  if (frame == 8) news.notes.push_back({1, "gone", "lyon: it was not heard for 6 s"});
+  if (frame == 5) {
+    Stroke stroke{0, 0.5, Vec3(1.0 / 3.0, 0.0, 0.5), {0.1, -0.2}, 0.01};
+    news.strokes.push_back({stroke, 0, 1, 4, "anna"});
+  }
+  return news;
+}
+
+void writeTo(const std::filesystem::path& file, bool isLinked) {
+  SessionFacts facts = kFacts;
+  facts.pucks = {"white", "red"};
+  facts.isLinked = isLinked;
+  Journal journal(file, facts, false);
+  for (std::uint64_t frame = 0; frame < 10; ++frame)
+    journal.add(frameOf(frame), head(), {}, {}, isLinked ? newsOf(frame) : LinkNews{});
+}
+
+TEST(LinkedGameFile, GivesBackWhatTheJournalWasTold) {
+  const NothingIsLogged silence;
+  TemporaryFolder folder;
+  const auto file = folder / "grenoble.db";
+  writeTo(file, true);
+  const std::vector<LinkedGameRows> games = linkedGamesOf(file);
+  ASSERT_EQ(games.size(), 1U);
+  const LinkedGameRows& game = games[0];
+  EXPECT_EQ(game.number, "0123456789abcdef");
+  EXPECT_EQ(game.otherRoom, 1U);
+  EXPECT_EQ(game.firstFrame, 3);
+  EXPECT_EQ(game.lastFrame, 8);
+  ASSERT_EQ(game.promises.size(), 6U);
+  const Event& promise = game.promises.at(5).at(0);
+  EXPECT_EQ(promise.t_s, 0.5);
+  EXPECT_EQ(promise.r_m, Vec3(1.0, 0.0, 0.5));
+  EXPECT_EQ(game.knownUntil_s, 0.8);
+  ASSERT_EQ(game.told.size(), 6U);
+  EXPECT_EQ(game.told[1].first, "anna");
+  EXPECT_EQ(game.told[1].second[0], 0.4 + 1.0 / 3.0) << "to the bit";
+  ASSERT_EQ(game.strokes.size(), 1U);
+  const auto& [key, stroke] = *game.strokes.begin();
+  EXPECT_EQ(key, (std::pair<std::int64_t, std::int64_t>(1, 4)));
+  EXPECT_EQ(stroke.first, "white");
+  EXPECT_EQ(stroke.second, (std::vector<double>{0.5, 1.0 / 3.0, 0.0, 0.5, 0.1, -0.2, 0.01}));
+  EXPECT_EQ(game.heads.at("viewer").size(), 10U);
+  EXPECT_FALSE(game.turns.empty());
+}
+
+TEST(LinkedGameFile, ASessionWithoutALinkHasNoneOfItsTables) {
+  const NothingIsLogged silence;
+  TemporaryFolder folder;
+  const auto file = folder / "alone.db";
+  writeTo(file, false);
+  SQLite::Database database(file.string());
+  for (const char* table : {"link", "link_person", "link_note"}) EXPECT_FALSE(database.tableExists(table));
+  try {
+    linkedGamesOf(file);
+    FAIL() << "it has a linked game";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("it has no linked game"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,318 @@
+// Lines over real sockets on loopback, and ends that are no lines.
+#include "app/link/link_line.h"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <functional>
+#include <random>
+#include <thread>
+
+#include "app/link/link_socket.h"
+#include "app/link/sample_messages.h"
+#include "app/link/tls_stream.h"
+
+namespace carom::test {
+namespace {
+
+using std::chrono::milliseconds;
+
+LinkKey key() { return LinkKey::of("0000-0000-0000-0000-0000-0000-0000"); }
+
+LinkLimits quick() {
+  LinkLimits limits;
+  limits.handshake = milliseconds(400);
+  limits.callAgain = milliseconds(50);
+  limits.silence = limits.listening = milliseconds(500);
+  limits.unknown = milliseconds(20000);
+  limits.unproven = 1000;
+  limits.calls_1_s = 1000.0;
+  limits.pings_1_s = 20.0;
+  return limits;
+}
+
+/// A line and what has come on it.
+struct End {
+  End(const LinkAddress& address, const LinkKey& its = key(), const LinkLimits& limits = quick())
+      : line(address, its, limits) {}
+
+  std::size_t count(LineNews::Kind kind) {
+    line.take(news);
+    return static_cast<std::size_t>(
+        std::count_if(news.begin(), news.end(), [&](const LineNews& one) { return one.kind == kind; }));
+  }
+  std::string closedWith() {
+    line.take(news);
+    for (const LineNews& one : news)
+      if (one.kind == LineNews::Kind::closed) return one.words;
+    return {};
+  }
+  std::uint64_t newest() {
+    line.take(news);
+    std::uint64_t number = 0;
+    for (const LineNews& one : news)
+      if (one.kind == LineNews::Kind::opened) number = one.connection;
+    return number;
+  }
+  template <typename Message>
+  std::vector<Message> all() {
+    line.take(news);
+    std::vector<Message> found;
+    for (const LineNews& one : news)
+      if (const auto* message = std::get_if<Message>(&one.message);
+          message && one.kind == LineNews::Kind::message)
+        found.push_back(*message);
+    return found;
+  }
+
+  LinkLine line;
+  std::vector<LineNews> news;
+};
+
+/// Waits for something, for some seconds at most.
+bool comes(const std::function<bool()>& isThere, double most_s = 10.0) {
+  for (int i = 0; i < static_cast<int>(most_s / 0.005); ++i) {
+    if (isThere()) return true;
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  return isThere();
+}
+
+LinkAddress listening(const char* host = "127.0.0.1") { return {true, host, 0}; }
+LinkAddress to(const LinkLine& line, const char* host = "127.0.0.1") { return {false, host, line.port()}; }
+
+/// An end with the key that does as it likes.
+class Stranger {
+ public:
+  explicit Stranger(std::uint16_t port, const LinkKey& its = key()) : end_(false, its) {
+    std::string why;
+    LinkSocket socket = callTo({false, "127.0.0.1", port}, 0, why);
+    comes([&] { return isAnswered(socket, why).has_value(); });
+    stream_ = std::make_unique<TlsStream>(end_, socket.release());
+  }
+  bool shake() {
+    comes([&] { return stream_->shakeHands() != TlsStream::State::shakesHands; }, 3.0);
+    return stream_->state() == TlsStream::State::open;
+  }
+  void write(std::span<const std::uint8_t> bytes) {
+    std::size_t written = 0;
+    comes([&] {
+      std::vector<std::uint8_t> ignored;
+      stream_->read(ignored);
+      written += stream_->write(bytes.subspan(written));
+      return written == bytes.size() || stream_->state() == TlsStream::State::over;
+    });
+  }
+
+ private:
+  TlsEnd end_;
+  std::unique_ptr<TlsStream> stream_;
+};
+
+std::vector<std::uint8_t> bytesOf(const LinkMessage& message) {
+  std::vector<std::uint8_t> bytes;
+  append(message, bytes);
+  return bytes;
+}
+
+class LinkLineOver : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Addresses, LinkLineOver, testing::Values("127.0.0.1", "::1"));
+
+TEST_P(LinkLineOver, CarriesMessagesBothWays) {
+  End host(listening(GetParam()));
+  End joiner(to(host.line, GetParam()));
+  ASSERT_TRUE(comes([&] { return host.newest() == 1 && joiner.newest() == 1; }));
+  for (std::uint32_t i = 0; i < 100; ++i) host.line.send(1, sampleStroke(i));
+  joiner.line.send(1, LinkDigest{7, 8});
+  EXPECT_TRUE(
+      comes([&] { return joiner.all<LinkStroke>().size() == 100 && host.all<LinkDigest>().size() == 1; }));
+  const auto strokes = joiner.all<LinkStroke>();
+  for (std::uint32_t i = 0; i < strokes.size(); ++i) EXPECT_EQ(strokes[i].told.number, i);
+  EXPECT_TRUE(
+      comes([&] { return joiner.line.roundTrip(1).count >= 10 && host.line.roundTrip(1).count >= 10; }));
+  EXPECT_LT(joiner.line.roundTrip(1).least_s, 0.2);
+  EXPECT_GT(joiner.line.roundTrip(1).least_s, 0.0);
+}
+
+TEST(LinkLine, NewerPresentsTakeThePlaceOfOlderOnesAndStrokesAreNeverLeftOut) {
+  End host(listening());
+  End joiner(to(host.line));
+  ASSERT_TRUE(comes([&] { return host.newest() == 1 && joiner.newest() == 1; }));
+  LinkPresent present = samplePresent();
+  for (std::uint32_t i = 1; i <= 2000; ++i) {
+    present.present.number = i;
+    if (i % 20 == 0) host.line.send(1, sampleStroke(i / 20));
+    host.line.present(1, present);
+  }
+  ASSERT_TRUE(comes([&] {
+    const auto presents = joiner.all<LinkPresent>();
+    return !presents.empty() && presents.back().present.number == 2000;
+  }));
+  EXPECT_EQ(joiner.all<LinkStroke>().size(), 100U);
+  EXPECT_LT(joiner.all<LinkPresent>().size(), 200U) << "they were not replaced";
+  EXPECT_EQ(joiner.closedWith(), "");
+}
+
+TEST(LinkLine, TakesNoOtherKey) {
+  End host(listening());
+  End joiner(to(host.line), LinkKey::random());
+  std::this_thread::sleep_for(milliseconds(600));
+  EXPECT_EQ(host.newest(), 0U);
+  EXPECT_EQ(joiner.newest(), 0U);
+  End right(to(host.line));
+  EXPECT_TRUE(comes([&] { return right.newest() == 1; }));
+}
+
+// 10⁴ first flights: noise, and true ones with changed bits or cut short. None proves the key.
+TEST(LinkLine, NoBrokenHandshakeProvesTheKey) {
+  const LinkKey its = key();
+  TlsEnd listens(true, its), calls(false, its);
+  std::mt19937 random(1);
+  std::size_t through = 0;
+  for (int i = 0; i < 10000; ++i) {
+    int pair[2], flight[2];
+    ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, pair), 0);
+    std::vector<std::uint8_t> bytes(1 + random() % 600);
+    if (i % 2 == 1) {
+      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    } else {
+      ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, flight), 0);
+      TlsStream caller(calls, flight[0]);
+      caller.shakeHands();
+      bytes.resize(2048);
+      const ssize_t size = read(flight[1], bytes.data(), bytes.size());
+      close(flight[1]);
+      bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(1, size)));
+      for (unsigned k = 0; k < 1 + random() % 3; ++k) {
+        std::uint8_t& byte = bytes[random() % bytes.size()];
+        byte = static_cast<std::uint8_t>(byte ^ (1U << random() % 8));
+      }
+      if (random() % 4 == 0) bytes.resize(1 + random() % bytes.size());
+    }
+    TlsStream called(listens, pair[0]);
+    ASSERT_GT(write(pair[1], bytes.data(), bytes.size()), 0);
+    for (int turn = 0; turn < 3; ++turn) through += called.shakeHands() == TlsStream::State::open ? 1 : 0;
+    close(pair[1]);
+  }
+  EXPECT_EQ(through, 0U);
+}
+
+TEST(LinkLine, WhoSpeaksSomethingElseIsNotLetIn) {
+  End host(listening());
+  std::string why;
+  LinkSocket browser = callTo({false, "127.0.0.1", host.line.port()}, 0, why);
+  ASSERT_TRUE(comes([&] { return isAnswered(browser, why).value_or(false); }));
+  const std::string asks = "GET / HTTP/1.1\r\nHost: here\r\n\r\n";
+  ASSERT_GT(write(*browser, asks.data(), asks.size()), 0);
+  char answer[100];
+  EXPECT_TRUE(comes([&] {
+    const ssize_t size = read(*browser, answer, sizeof answer);
+    return size == 0 || (size < 0 && errno == ECONNRESET);
+  })) << "the line does not hang up";
+  End right(to(host.line));
+  EXPECT_TRUE(comes([&] { return right.newest() == 1; }));
+}
+
+TEST(LinkLine, WhoStopsInTheMiddleOfAMessageIsNamed) {
+  End host(listening());
+  Stranger stranger(host.line.port());
+  ASSERT_TRUE(stranger.shake());
+  const auto bytes = bytesOf(sampleStroke(3));
+  stranger.write(std::span(bytes).first(bytes.size() / 2));
+  EXPECT_TRUE(comes([&] { return host.closedWith() == "it stopped in the middle of a message"; }));
+}
+
+TEST(LinkLine, WhoFloodsIsNamed) {
+  End host(listening());
+  Stranger stranger(host.line.port());
+  ASSERT_TRUE(stranger.shake());
+  std::vector<std::uint8_t> bytes;
+  for (std::uint32_t i = 0; i < 2000; ++i) append(LinkDigest{i, i}, bytes);
+  stranger.write(bytes);
+  EXPECT_TRUE(comes([&] { return host.closedWith() == "it sent more than a room that plays"; }));
+  EXPECT_LT(host.news.size(), 300U);
+}
+
+TEST(LinkLine, WhoSendsWhatIsNoMessageIsNamed) {
+  End host(listening());
+  Stranger stranger(host.line.port());
+  ASSERT_TRUE(stranger.shake());
+  stranger.write(std::vector<std::uint8_t>(40, 0xff));
+  EXPECT_TRUE(comes([&] { return host.closedWith().starts_with("it sent a message of kind 65535"); }));
+}
+
+TEST(LinkLine, CallsUntilSomebodyAnswers) {
+  std::uint16_t port = 0;
+  {
+    const LinkSocket free = listenAt({true, "127.0.0.1", 0});
+    port = portOf(free);
+  }
+  End joiner({false, "127.0.0.1", port});
+  std::this_thread::sleep_for(milliseconds(200));
+  EXPECT_EQ(joiner.newest(), 0U);
+  End host({true, "127.0.0.1", port});
+  EXPECT_TRUE(comes([&] { return joiner.newest() == 1; }));
+}
+
+// A listener that takes the call and says nothing, and a host without a name.
+TEST(LinkLine, SilenceAndHostsWithoutANameAreCalledAgain) {
+  const LinkSocket silent = listenAt({true, "127.0.0.1", 0});
+  End joiner({false, "127.0.0.1", portOf(silent)});
+  std::size_t calls = 0;
+  std::vector<Called> called;
+  EXPECT_TRUE(comes([&] {
+    if (auto next = nextCaller(silent)) called.push_back(std::move(*next));
+    calls = called.size();
+    return calls >= 2;
+  }));
+  End lost({false, "no-such-host.invalid", 7314});
+  std::this_thread::sleep_for(milliseconds(100));
+  EXPECT_EQ(lost.newest(), 0U);
+}
+
+TEST(LinkLine, ABrokenLineIsCalledAgain) {
+  End host(listening());
+  End joiner(to(host.line));
+  ASSERT_TRUE(comes([&] { return host.newest() == 1 && joiner.newest() == 1; }));
+  host.line.close(1, "another game");
+  EXPECT_TRUE(comes([&] { return joiner.newest() == 2 && host.newest() == 2; }));
+  ASSERT_EQ(joiner.all<LinkBye>().size(), 1U);
+  EXPECT_EQ(joiner.all<LinkBye>()[0].reason, "another game");
+  host.line.send(1, LinkDigest{1, 1});  // to one that is over
+  joiner.line.send(2, LinkDigest{2, 2});
+  EXPECT_TRUE(comes([&] { return host.all<LinkDigest>().size() == 1; }));
+}
+
+TEST(LinkLine, TooManyUnprovenCallsAreRefused) {
+  LinkLimits limits = quick();
+  limits.unproven = 2;
+  End host(listening(), key(), limits);
+  std::vector<LinkSocket> calls;
+  std::string why;
+  for (int i = 0; i < 20; ++i) calls.push_back(callTo({false, "127.0.0.1", host.line.port()}, 0, why));
+  std::size_t over = 0;
+  EXPECT_TRUE(comes([&] {
+    over = 0;
+    for (const LinkSocket& call : calls) {
+      char byte = 0;
+      over += recv(*call, &byte, 1, MSG_PEEK) == 0 ? 1 : 0;
+    }
+    return over >= 18;
+  }));
+}
+
+TEST(LinkLine, APortThatIsTakenIsNamed) {
+  End host(listening());
+  try {
+    End second({true, "127.0.0.1", host.line.port()});
+    FAIL() << "it listens twice";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("another program has that port"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace carom::test

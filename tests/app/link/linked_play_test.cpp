@@ -1,0 +1,452 @@
+// Two rooms of a linked game in one process, with a line in simulated time: joining, cuts, silence, refusals.
+#include "app/link/linked_play.h"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <functional>
+#include <memory>
+
+#include "engine/game_digest.h"
+#include "engine/linked/pace.h"
+#include "engine/random_world.h"
+#include "engine/three_pucks.h"
+
+namespace carom::test {
+namespace {
+
+constexpr double kC_m_s = 1.42, kFrame_s = 1.0 / 60.0;
+
+LinkClock::time_point timeOf(double now_s) {
+  return LinkClock::time_point{} +
+         std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 * (1000.0 + now_s)));
+}
+
+BilliardSetup table() {
+  BilliardSetup setup = threePucks();
+  for (Puck& puck : setup.pucks) puck.beta *= 0.3;
+  setup.rules.friction_m_s2 = 0.05;
+  return setup;
+}
+
+ObserverStart place() { return {{-2.3, 0.0, -0.75}, 0.0, Vec3(0.0)}; }
+
+/// One end of a line that delays messages, may be cut, and may change what it carries.
+class FakeLine : public Line {
+ public:
+  FakeLine(const double& now_s, const double& late_s) : now_s_(now_s), late_s_(late_s) {}
+  void connects(FakeLine& other) { other_ = &other; }
+
+  void open(std::uint64_t connection) {
+    isOpen_ = true;
+    connection_ = connection;
+    arrived_.push_back({now_s_, {LineNews::Kind::opened, connection, timeOf(now_s_), {}, "there"}});
+  }
+  void cut() {
+    if (!isOpen_) return;
+    isOpen_ = false;
+    arrived_.push_back({now_s_, {LineNews::Kind::closed, connection_, timeOf(now_s_), {}, "the line broke"}});
+  }
+  bool isOpen() const { return isOpen_; }
+
+  void take(std::vector<LineNews>& news) override {
+    while (!arrived_.empty() && arrived_.front().at_s <= now_s_) {
+      news.push_back(arrived_.front().news);
+      arrived_.pop_front();
+    }
+  }
+  void send(std::uint64_t connection, const LinkMessage& message) override {
+    if (!isOpen_ || connection != connection_ || isSilent) return;
+    LinkMessage sent = message;
+    if (change) change(sent);
+    other_->arrived_.push_back(
+        {now_s_ + late_s_,
+         {LineNews::Kind::message, other_->connection_, timeOf(now_s_ + late_s_), std::move(sent), {}}});
+  }
+  void present(std::uint64_t connection, const LinkPresent& present) override { send(connection, present); }
+  void close(std::uint64_t connection, const std::string& reason) override {
+    if (!isOpen_ || connection != connection_) return;
+    send(connection, LinkBye{reason});
+    closed.push_back(reason);
+    other_->endAt_s_ = now_s_ + late_s_;
+    isOpen_ = false;
+  }
+  RoundTrip roundTrip(std::uint64_t) const override {
+    return {2.0 * late_s_, 2.0 * late_s_, 2.0 * late_s_, 10, 2.0 * late_s_, 0};
+  }
+  /// Ends the connection that the other end has closed.
+  void look() {
+    if (endAt_s_ < 0.0 || now_s_ < endAt_s_) return;
+    endAt_s_ = -1.0;
+    cut();
+  }
+
+  bool isSilent = false;
+  std::function<void(LinkMessage&)> change;
+  std::vector<std::string> closed;
+
+ private:
+  struct Arrives {
+    double at_s;
+    LineNews news;
+  };
+  const double &now_s_, &late_s_;
+  FakeLine* other_ = nullptr;
+  bool isOpen_ = false;
+  std::uint64_t connection_ = 0;
+  std::deque<Arrives> arrived_;
+  double endAt_s_ = -1.0;
+};
+
+LinkSelf self(bool hosts, const std::string& name) {
+  LinkSelf self;
+  self.hosts = hosts;
+  self.room = name;
+  self.viewers = {"viewer"};
+  self.floor = {{-1.0, -1.0}, {1.0, 1.0}};
+  self.program = "carom 1";
+  return self;
+}
+
+class Room {
+ public:
+  Room(bool hosts, const std::string& name, Line& line, std::uint64_t arithmetic, std::uint64_t seed)
+      : play(self(hosts, name), line, arithmetic), random_(seed) {
+    if (hosts) begin({}, [&](LinkedGame its) { play.play(std::move(its)); });
+  }
+
+  void frame(double now_s) {
+    const auto now = timeOf(now_s);
+    play.hear(now);
+    for (const LinkNote& note : play.heard().notes) notes.push_back(note);
+    for (const LinkStroke& stroke : play.heard().strokes) {
+      if (game) game->strike(stroke.told.stroke);
+      ++fromAfar;
+    }
+    if (play.heard().settings) {
+      c_m_s = play.heard().settings->lightSpeedShown_m_s;
+      isFrozen = play.heard().settings->isFrozen;
+    }
+    if (const auto welcome = play.takeInvitation()) {
+      ++invitations;
+      const ObserverStart seated = seat(place(), welcome->room, welcome->rooms, welcome->apart_m);
+      begin(seated, [&](LinkedGame its) { play.join(*welcome, std::move(its)); });
+      BilliardSetup setup = table();
+      for (const LinkStroke& stroke : play.strokes()) setup.strokes.push_back(stroke.told.stroke);
+      game.emplace(setup);
+    }
+    if (!game) return;
+    if (!play.own()) start(now);
+    const bool lived = play.isLiving() && !isFrozen && live(now);
+    if (lived && strikes) strike();
+    if (play.own()) tell(!lived, now);
+  }
+
+  bool has(const std::string& what) const {
+    return std::ranges::any_of(notes, [&](const LinkNote& note) { return note.what == what; });
+  }
+  double board_s() const { return observers->headEvent().t_s; }
+
+  LinkedPlay play;
+  std::optional<Billiard> game;
+  std::optional<Observers> observers;
+  std::vector<LinkNote> notes;
+  std::size_t fromAfar = 0, made = 0, waits = 0, insidePromises = 0;
+  int invitations = 0;
+  bool strikes = true, isFrozen = false;
+  double c_m_s = kC_m_s;
+
+ private:
+  template <typename Begin>
+  void begin(const std::optional<ObserverStart>& seated, Begin&& begins) {
+    LinkedGame its;
+    its.scenario = "a table";
+    its.billiard = table();
+    its.start = place();
+    start_ = seated.value_or(place());
+    observers.reset();
+    game.emplace(table());
+    begins(std::move(its));
+  }
+  void start(LinkClock::time_point now) {
+    const auto begins_s = play.begins_s(now);
+    if (!begins_s) return;
+    observers.emplace(Lorentz(kC_m_s), Event{*begins_s, start_.position_m},
+                      Head{{Vec3(0.0, 0.0, 1.6), {1, 0, 0, 0}}, Vec3(0.0)});
+    play.begin(*observers, now);
+    nextStroke_s_ = board_s() + 1.0;
+  }
+  std::vector<Event> eyes(const Observers& of) const {
+    std::vector<Event> eyes;
+    for (const EyeView& eye : of.view(0.064).all()) eyes.push_back(eye.observation);
+    return eyes;
+  }
+  bool live(LinkClock::time_point now) {
+    walk_s_ += kFrame_s;
+    const Head head{{Vec3(0.4 * std::sin(walk_s_), 0.3 * std::cos(0.7 * walk_s_), 1.6), {1, 0, 0, 0}},
+                    Vec3(0.0)};
+    const auto pace = livablePace(play.pace(now), [&](double at) {
+      Observers tried = *observers;
+      tried.beginFrame();
+      tried.step(kFrame_s, {&head, 1}, at);
+      if (!std::ranges::all_of(eyes(tried), [&](const Event& eye) { return play.allows(eye); })) return false;
+      observers = tried;
+      return true;
+    });
+    waits += pace ? 0 : 1;
+    if (!pace) return false;
+    game->advanceTo(board_s() + 0.1);
+    for (const Event& eye : eyes(*observers)) insidePromises += play.allows(eye) ? 0 : 1;
+    return true;
+  }
+  void strike() {
+    if (board_s() < nextStroke_s_) return;
+    nextStroke_s_ = board_s() + random_.in(1.0, 3.0);
+    Stroke stroke;
+    stroke.puck = static_cast<std::size_t>(random_.in(0.0, 2.999));
+    const Event act = observers->headEvent() + Displacement{0.0, {0.2, 0.3, -0.4}};
+    stroke.at_s = act.t_s;
+    stroke.from_m = act.r_m;
+    const Vec3 way = random_.direction();
+    stroke.momentum_kg_m_s = 0.2 * kC_m_s * random_.in(0.1, 0.6) * Vec2(way.x, way.y);
+    stroke = play.own()->putOff(0, stroke, observers->boardFromRoom());
+    game->strike(stroke);
+    play.struck(0, stroke);
+    ++made;
+  }
+  void tell(bool isWaiting, LinkClock::time_point now) {
+    const Vec3 hand(0.2, 0.3, -0.4);
+    play.tell(*observers, {&hand, 1}, {}, eyes(*observers), isWaiting, now);
+    game->advanceTo(board_s() + 0.1);
+    play.compare(game->worldLines());
+    play.tellSettings(c_m_s, isFrozen);
+  }
+
+  Random random_;
+  ObserverStart start_;
+  double nextStroke_s_ = 0.0, walk_s_ = 0.0;
+};
+
+struct Two {
+  explicit Two(double late = 0.1, const std::string& name = "lyon", std::uint64_t arithmetic = 7)
+      : late_s(late),
+        lines{FakeLine(now_s, late_s), FakeLine(now_s, late_s)},
+        host(true, "grenoble", lines[0], 7, 1),
+        joiner(false, name, lines[1], arithmetic, 2) {
+    lines[0].connects(lines[1]);
+    lines[1].connects(lines[0]);
+  }
+  void connect() {
+    ++connections;
+    for (FakeLine& line : lines) line.open(connections);
+  }
+  void cut() {
+    for (FakeLine& line : lines) line.cut();
+  }
+  /// Plays on; who has joined calls again if nobody does otherwise.
+  void play(double for_s, bool callsAgain = true) {
+    const double end_s = now_s + for_s;
+    for (; now_s < end_s; now_s += kFrame_s) {
+      for (FakeLine& line : lines) line.look();
+      if (callsAgain && !lines[0].isOpen() && !lines[1].isOpen()) connect();
+      host.frame(now_s);
+      joiner.frame(now_s);
+    }
+  }
+  void expectOneGame() {
+    EXPECT_EQ(host.play.state(), LinkState::playing);
+    EXPECT_EQ(joiner.play.state(), LinkState::playing);
+    host.strikes = joiner.strikes = false;
+    play(3.0 * late_s + 1.0);
+    EXPECT_EQ(host.insidePromises + joiner.insidePromises, 0U);
+    const double end_s = std::max(host.board_s(), joiner.board_s()) + 60.0;
+    host.game->advanceTo(end_s);
+    joiner.game->advanceTo(end_s);
+    EXPECT_EQ(digestOf(*host.game), digestOf(*joiner.game));
+    EXPECT_GT(host.play.sameUntil_s(), 5U);
+    EXPECT_NEAR(host.play.sameUntil_s(), joiner.play.sameUntil_s(), 3);
+    EXPECT_LT(std::abs(host.board_s() - joiner.board_s()), 2.0);
+  }
+
+  double now_s = 0.0, late_s;
+  std::uint64_t connections = 0;
+  std::array<FakeLine, 2> lines;
+  Room host, joiner;
+};
+
+TEST(LinkedPlay, TwoRoomsPlayOneGame) {
+  for (const double late_s : {0.0, 0.1, 0.5}) {
+    SCOPED_TRACE(late_s);
+    Two two(late_s);
+    two.play(30.0);
+    EXPECT_GT(two.host.made, 5U);
+    EXPECT_GT(two.joiner.made, 5U);
+    EXPECT_TRUE(two.host.has("paired") && two.joiner.has("paired"));
+    two.expectOneGame();
+    EXPECT_EQ(two.joiner.invitations, 1);
+  }
+}
+
+TEST(LinkedPlay, WhoJoinsLateKnowsTheWholeGame) {
+  Two two(0.2);
+  two.play(20.0, false);
+  EXPECT_GT(two.host.made, 5U);
+  EXPECT_EQ(two.host.play.state(), LinkState::alone);
+  two.play(15.0);
+  EXPECT_GT(two.joiner.board_s(), 30.0);
+  two.expectOneGame();
+}
+
+TEST(LinkedPlay, AGameGoesOnAfterACut) {
+  Two two(0.1);
+  two.play(10.0);
+  two.cut();
+  two.play(2.0, false);
+  EXPECT_EQ(two.host.play.state(), LinkState::playing);
+  two.play(10.0);
+  EXPECT_TRUE(two.host.has("back") && two.joiner.has("back"));
+  EXPECT_EQ(two.joiner.invitations, 1);
+  two.expectOneGame();
+}
+
+TEST(LinkedPlay, WhoIsSilentIsGoneAndJoinsANewGame) {
+  Two two(0.1);
+  two.play(10.0);
+  for (FakeLine& line : two.lines) line.isSilent = true;
+  two.play(12.0);
+  EXPECT_TRUE(two.host.has("gone") && two.joiner.has("gone"));
+  EXPECT_EQ(two.host.play.state(), LinkState::alone);
+  const double alone_s = two.host.board_s();
+  for (FakeLine& line : two.lines) line.isSilent = false;
+  two.cut();
+  two.play(10.0);
+  EXPECT_GT(two.host.board_s(), alone_s);
+  EXPECT_EQ(two.joiner.invitations, 2);
+  two.expectOneGame();
+}
+
+TEST(LinkedPlay, WhoIsLeftAlonePlaysOn) {
+  Two two(0.1);
+  two.play(10.0);
+  two.lines[1].isSilent = true;  // the joiner has died; the line is closed
+  two.cut();
+  for (int i = 0; i < 600; ++i) two.host.frame(two.now_s += kFrame_s);
+  EXPECT_EQ(two.host.play.state(), LinkState::alone);
+  EXPECT_TRUE(two.host.has("gone"));
+  const double then_s = two.host.board_s();
+  for (int i = 0; i < 60; ++i) two.host.frame(two.now_s += kFrame_s);
+  EXPECT_NEAR(two.host.board_s(), then_s + 1.0, 0.3);
+}
+
+std::string refusal(Two& two) {
+  two.play(3.0, true);
+  for (const LinkNote& note : two.host.notes)
+    if (note.what == "refused") return note.value;
+  return {};
+}
+
+TEST(LinkedPlay, RefusesWhoDoesNotFit) {
+  Two twin(0.1, "grenoble");
+  EXPECT_NE(refusal(twin).find("both rooms are named grenoble"), std::string::npos) << refusal(twin);
+  Two other(0.1, "lyon", 8);
+  EXPECT_NE(refusal(other).find("the arithmetic differs"), std::string::npos);
+  EXPECT_NE(refusal(other).find("0000000000000008"), std::string::npos);
+  for (Two* two : {&twin, &other}) EXPECT_EQ(two->joiner.invitations, 0);
+}
+
+TEST(LinkedPlay, RefusesAThirdRoomAndASecondOfOneName) {
+  for (const char* name : {"annecy", "lyon"}) {
+    Two two(0.1);
+    two.play(5.0);
+    LinkHello hello;
+    hello.arithmetic = 7;
+    hello.room = name;
+    hello.viewers = {"viewer"};
+    two.lines[1].change = [&](LinkMessage& message) {
+      if (std::holds_alternative<LinkDigest>(message)) message = hello;
+    };
+    two.play(2.0);
+    two.lines[1].change = {};
+    const bool isSaid = std::ranges::any_of(two.host.notes, [&](const LinkNote& note) {
+      return note.what == "refused" &&
+             note.value.find(std::string(name) == "lyon" ? "a room named lyon plays already"
+                                                         : "two rooms play already") != std::string::npos;
+    });
+    EXPECT_TRUE(isSaid) << name;
+  }
+}
+
+// A stroke from before its promise is void, and who told it is not let in again in this game.
+TEST(LinkedPlay, WhoBreaksAPromiseIsRefused) {
+  Two two(0.1);
+  two.play(5.0);
+  two.lines[1].change = [](LinkMessage& message) {
+    if (auto* stroke = std::get_if<LinkStroke>(&message)) stroke->told.stroke.at_s -= 5.0;
+  };
+  const std::size_t heard = two.host.fromAfar;
+  two.play(10.0);
+  EXPECT_EQ(two.host.fromAfar, heard);
+  EXPECT_TRUE(std::ranges::any_of(two.host.notes, [](const LinkNote& note) {
+    return note.what == "refused" && note.value.find("it broke a promise in this game") != std::string::npos;
+  }));
+  EXPECT_EQ(two.host.play.state(), LinkState::alone);
+  EXPECT_EQ(two.joiner.play.state(), LinkState::alone);
+}
+
+TEST(LinkedPlay, AGameThatIsComputedOtherwiseIsNamed) {
+  Two two(0.1);
+  two.play(5.0);
+  two.lines[1].change = [](LinkMessage& message) {
+    if (auto* digest = std::get_if<LinkDigest>(&message); digest && digest->second == 9) ++digest->digest;
+  };
+  two.play(10.0);
+  EXPECT_TRUE(std::ranges::any_of(two.host.notes, [](const LinkNote& note) {
+    return note.what == "mismatch" && note.value.find("board second 8") != std::string::npos;
+  }));
+  EXPECT_NE(two.host.play.state(), LinkState::playing);
+}
+
+TEST(LinkedPlay, SpeedOfLightAndStillnessAreForBoth) {
+  Two two(0.1);
+  two.play(5.0);
+  two.joiner.c_m_s = 2.0;
+  two.play(2.0);
+  EXPECT_EQ(two.host.c_m_s, 2.0);
+  two.host.isFrozen = true;
+  two.play(10.0);
+  EXPECT_TRUE(two.joiner.isFrozen);
+  EXPECT_EQ(two.host.play.state(), LinkState::playing) << "stillness is not silence";
+  two.joiner.isFrozen = false;
+  two.play(3.0);
+  EXPECT_FALSE(two.host.isFrozen);
+  two.expectOneGame();
+}
+
+TEST(LinkedPlay, TheNextGameOfTheHostComesToBoth) {
+  Two two(0.1);
+  two.play(5.0);
+  LinkedGame game;
+  game.scenario = "another";
+  game.billiard = table();
+  game.start = place();
+  two.host.observers.reset();
+  two.host.game.emplace(table());
+  two.host.play.play(game);
+  two.play(10.0);
+  EXPECT_EQ(two.joiner.invitations, 2);
+  two.expectOneGame();
+}
+
+TEST(LinkedPlay, RoomsStandAsFarApartAsTheLineNeeds) {
+  Two near(0.02), far(1.0);
+  near.play(5.0);
+  far.play(20.0);
+  EXPECT_EQ(near.joiner.play.apart_m(), 0.0);
+  // c · 2 s / 0.6 = 4.73 m between the floors, of which 2.6 m are there: 4.6 m between the places less 1 m
+  // each.
+  EXPECT_NEAR(far.joiner.play.apart_m(), 2.0 * (1.42 * 2.0 / 0.6 - 2.6), 0.11);
+  EXPECT_LT(static_cast<double>(far.host.waits + far.joiner.waits), 0.01 * 2.0 * 20.0 * 60.0);
+}
+
+}  // namespace
+}  // namespace carom::test

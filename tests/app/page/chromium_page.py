@@ -1,0 +1,91 @@
+"""A page that `carom page` has made, in a headless Chromium of its own, opened as a file."""
+
+import base64
+import json
+import pathlib
+import shutil
+import tempfile
+import time
+import zlib
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+
+
+class OpenPage:
+    def __init__(self, file, width=1280, height=720, flags=()):
+        self.file = pathlib.Path(file).resolve()
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        options = webdriver.ChromeOptions()
+        options.binary_location = shutil.which("chromium")
+        for flag in ("--headless=new", "--no-sandbox", "--force-device-scale-factor=1", "--disable-dev-shm-usage",
+                     "--use-angle=swiftshader", "--enable-unsafe-swiftshader", f"--user-data-dir={self.profile.name}",
+                     f"--window-size={width},{height}", *flags):
+            options.add_argument(flag)
+        options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})
+        self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+        self.driver.set_script_timeout(300)
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.driver.quit()
+        self.profile.cleanup()
+
+    def open(self, hash=""):
+        """Opens the page, and returns after how many seconds it has begun or given up."""
+        begun = time.monotonic()
+        self.driver.get(f"file://{self.file}{hash}")
+        self.until("return document.body.classList.contains('ready') || !document.getElementById('sorry').hidden")
+        return time.monotonic() - begun
+
+    def until(self, script, patience_s=120.0):
+        ends = time.monotonic() + patience_s
+        while not self.run(script):
+            assert time.monotonic() < ends, f"in vain: {script}; the browser says {self.log()}"
+            time.sleep(0.02)
+
+    def run(self, script, *values):
+        return self.driver.execute_script(script, *values)
+
+    def call(self, name, *values):
+        """Calls a function of window.carom."""
+        return self.run("return window.carom[arguments[0]](...arguments[1])", name, list(values))
+
+    def log(self):
+        return [entry["message"] for entry in self.driver.get_log("browser")]
+
+    def wall(self, frame, wall, eye):
+        """Returns a wall's picture, as the bytes of a PNG."""
+        self.run("location.hash = arguments[0]", f"#frame={frame}&wall={wall}&eye={eye}&bare")
+        self.until("return document.title === 'ready' || document.title === 'failed'")
+        assert self.run("return document.title") == "ready", self.log()
+        url = self.run("document.title = ''; return document.getElementById('picture').toDataURL()")
+        return base64.b64decode(url.split(",", 1)[1])
+
+    def screenshot(self, file):
+        self.driver.save_screenshot(str(file))
+
+    def requested(self):
+        """The addresses that the page has asked for."""
+        found = set()
+        for entry in self.driver.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            # The browser's own first page has requests, too.
+            if message["method"] == "Network.requestWillBeSent" and message["params"]["documentURL"].startswith("file:"):
+                found.add(message["params"]["request"]["url"])
+            if message["method"] == "Network.webSocketCreated":
+                found.add(message["params"]["url"])
+        return found
+
+
+def content(file):
+    """Returns the description in a page and the bytes of its columns."""
+    text = pathlib.Path(file).read_text()
+    letters = text.split('id="visit"', 1)[1].split(">", 1)[1].split("<", 1)[0]
+    whole = zlib.decompress(base64.b64decode(letters))
+    length = int.from_bytes(whole[:4], "little")
+    return json.loads(whole[4 : 4 + length]), whole[4 + length :]

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# page_faults.sh CAROM CONFIG: what carom page says of what it cannot make a page of: one sentence each, and no file. A page
+# holds nothing of this machine, of its people and of other games. Needs no browser.
+. "$(dirname "$0")/../../session.sh"
+needs sqlite3
+pixels='s/^pixels = .*/pixels = [64, 36]/'
+sed "$pixels" "$config/rigs/single-screen.toml" >"$out/room.toml"
+play() { # FILE SCENARIO FRAMES [OPTION …]
+  "$carom" cave --rig "$out/room.toml" --scenario "$2" --session "$out/$1" --frames "$3" --no-window --silent "${@:4}" 2>"$out/stderr" || fail "the session $1"
+}
+refused() { # WORDS ARGUMENT …: the command fails, says this, and leaves nothing
+  local words=$1
+  "$carom" page "${@:2}" -o "$out/none.html" 2>"$out/stderr" && fail "made a page of: ${*:2}"
+  grep -q -- "$words" "$out/stderr" || fail "expected '$words' of: ${*:2}"
+  [ ! -e "$out/none.html" ] || fail "left a file: ${*:2}"
+}
+play game.db three-pucks 12
+"$carom" page "$out/game.db" -o "$out/page.html" 2>"$out/stderr" || { grep -q 'without the engine for browsers' "$out/stderr" &&
+  { echo "skipped: $(cat "$out/stderr")"; exit 77; }; fail "carom page"; }
+
+# Sessions.
+head -c 20000 "$out/game.db" >"$out/cut.db"
+refused 'session file .*cut.db: ' "$out/cut.db"
+echo "no session" >"$out/words.db"
+refused 'this is no session file' "$out/words.db"
+cp "$out/game.db" "$out/older.db" && sqlite3 "$out/older.db" "PRAGMA user_version = 3"
+refused 'version' "$out/older.db"
+cp "$out/game.db" "$out/empty.db" && sqlite3 "$out/empty.db" "DELETE FROM frame"
+refused 'it ended before its first frame' "$out/empty.db"
+refused 'no frame of this game lies between' "$out/game.db" --from 1000
+refused 'is not before --until' "$out/game.db" --from 2 --until 1
+refused 'nobody' "$out/game.db" --as nobody
+refused 'it has 1 game' "$out/game.db" --game 7
+
+# Games.
+refused 'soft bodies, which a page does not show' jellies
+refused 'expected at most 3600 s' two-cushions --until 86400
+refused 'are for sessions' two-cushions --from 3
+{ sed -n '1,/^\[board\]/p' "$config/scenarios/three-pucks.toml" | sed '$d'; echo '[board]'; echo 'length_m = 200.0'; echo 'width_m = 200.0'
+  for i in $(seq 0 999); do
+    printf '[[puck]]\nname = "p%d"\nradius_m = 0.05\nheight_m = 0.02\nmass_kg = 0.1\nposition_m = [%d.0, %d.0]\nbeta = [0.0, 0.0]\n' \
+      "$i" $((i % 40 * 4 - 80)) $((i / 40 * 4 - 50))
+  done; } | grep -v '^#' >"$out/thousand.toml"
+refused 'the game has 1000 pucks, expected at most 200' "$out/thousand.toml"
+
+# A mesh that is gone.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 3 4\n' >"$out/shape.obj"
+awk -v mesh="$out/shape.obj" '{ print } !done && /^name = "white"/ { print "mesh = \"" mesh "\""; done = 1 }' \
+  "$config/scenarios/three-pucks.toml" >"$out/meshed.toml"
+play meshed.db "$out/meshed.toml" 6
+rm "$out/shape.obj"
+refused 'shape.obj' "$out/meshed.db"
+
+# Several people: whose visit it is, is said.
+sed "$pixels" "$config/rigs/two-people-quad-buffer.toml" >"$out/two.toml"
+"$carom" cave --rig "$out/two.toml" --scenario three-pucks --session "$out/two.db" --frames 6 --no-window --silent 2>"$out/stderr" || fail "two people"
+"$carom" page "$out/two.db" -o "$out/two.html" 2>"$out/stderr" || fail "a page of two people"
+grep -q -- 'shows the visit of .*; --as chooses another of the 2' "$out/stderr" || fail "whose visit it is"
+
+# What a page holds.
+/usr/bin/python3 - "$out/page.html" "$out" "$config" "$(hostname)" "$(id -un)" <<'END' || fail "what a page holds"
+import base64, pathlib, sys, zlib
+text = pathlib.Path(sys.argv[1]).read_text()
+def letters(part):
+    return base64.b64decode(text.split(f'id="{part}"', 1)[1].split(">", 1)[1].split("<", 1)[0])
+held = [text.encode(), zlib.decompress(letters("visit")), zlib.decompress(letters("engine"), 31)]
+# Names of hosts and users as short as "vm" are in any text.
+words = [*sys.argv[2:4], "/home/", "/tmp/", "/usr/", "head_sensor", ".toml", *[name for name in sys.argv[4:] if len(name) > 4]]
+for word in words:
+    assert not any(word.encode() in part for part in held), word
+assert "default-src 'none'" in text and "MIT License" in text
+print("the page holds none of", ", ".join(words))
+END
+echo "faults: all said, none left a file"
