@@ -188,7 +188,7 @@ class ClassServer::Host::Connection : public std::enable_shared_from_this<Connec
 
  private:
   void answer();
-  void answerStudy(beast::string_view path);
+  void answerStudy(beast::string_view target, beast::string_view path);
   void respond(http::status status, const char* type = "text/plain", const std::string& body = "");
   void openSocket();
   void read();
@@ -216,7 +216,7 @@ void ClassServer::Host::Connection::answer() {
   const auto& request = parser_->get();
   const beast::string_view target = request.target(), path = target.substr(0, target.find('?'));
   if (!host_.isOurs(request[http::field::host])) return respond(http::status::misdirected_request);
-  if (host_.options().studyPage) return answerStudy(path);
+  if (host_.options().studyPage) return answerStudy(target, path);
   if (path == "/socket") {
     if (!websocket::is_upgrade(request)) return respond(http::status::upgrade_required);
     return host_.isOurPage(request[http::field::origin]) ? openSocket() : respond(http::status::forbidden);
@@ -231,7 +231,7 @@ void ClassServer::Host::Connection::answer() {
 }
 
 /// Answers a request for a page of a study: by itself, or with a form that one of its own pages sends.
-void ClassServer::Host::Connection::answerStudy(beast::string_view path) {
+void ClassServer::Host::Connection::answerStudy(beast::string_view target, beast::string_view path) {
   const auto& request = parser_->get();
   const bool isForm = request.method() == http::verb::post;
   if (!isForm && request.method() != http::verb::get) return respond(http::status::method_not_allowed);
@@ -240,8 +240,13 @@ void ClassServer::Host::Connection::answerStudy(beast::string_view path) {
   if (path == "/study.css")
     return respond(http::status::ok, "text/css; charset=utf-8", host_.options().studyStyle);
   if (path != "/" && path != "/study") return respond(http::status::not_found);
+  if (isForm) {  // the page that follows is asked for by itself: going back or reloading sends nothing again
+    response_.set(http::field::location, host_.options().studyForm(request.body()));
+    return respond(http::status::see_other);
+  }
+  const beast::string_view query = target.substr(std::min(path.size() + 1, target.size()));
   respond(http::status::ok, "text/html; charset=utf-8",
-          host_.options().studyPage(isForm ? std::string_view(request.body()) : std::string_view()));
+          host_.options().studyPage({query.data(), query.size()}));
 }
 
 void ClassServer::Host::Connection::respond(http::status status, const char* type, const std::string& body) {

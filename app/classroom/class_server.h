@@ -33,9 +33,11 @@ struct ClassServerOptions {
   std::uint16_t port = 0;             ///< 0: any that is free
   std::string word, pin;
   ClassLimits limits{};
-  /// Of a study: takes a form, which may be empty, and returns the page that follows. The server then has
+  /// Of a study: returns the page of an address, from what follows its question mark. The server then has
   /// these pages alone. Called in the server's thread.
-  std::function<std::string(std::string_view form)> studyPage{};
+  std::function<std::string(std::string_view query)> studyPage{};
+  /// Takes a form, and returns the address of the page that follows.
+  std::function<std::string(std::string_view form)> studyForm{};
   std::string studyStyle{};
 };
 

@@ -46,7 +46,8 @@ StudyDesk::StudyDesk(Study study, StudyDeskOptions options) : options_(std::move
   for (const StudyArm& arm : setup.study.arms) setup.armsHere.push_back(isSameFile(arm.rig, options_.rig));
   setup.consent = readText(setup.study.consent, InputKind::toml);
   run_ = std::make_unique<StudyRun>(std::move(setup), *tables_);
-  options_.server.studyPage = [this](std::string_view form) { return run_->page(form, now_s()); };
+  options_.server.studyPage = [this](std::string_view query) { return run_->page(query); };
+  options_.server.studyForm = [this](std::string_view form) { return run_->take(form, now_s()); };
   options_.server.studyStyle = studyStyle();
   server_ = std::make_unique<ClassServer>(options_.server);
 }
@@ -75,6 +76,8 @@ void StudyDesk::command(const OperatorSettings& settings, double session_s, Comm
     }
   }
   if (auto standings = run_->takeStandings()) standings_ = *std::move(standings);
+  if (played_ && !hasExplained_ && settings.lesson.phase == LessonPhase::explains)
+    hasExplained_ = run_->lessonExplains(*played_);
   if (played_) putOff(settings, commands);
 }
 
@@ -110,10 +113,15 @@ bool StudyDesk::play(const std::string& file) {
     played_.reset();
   } else if (isWanted) {
     played_ = std::exchange(wanted_, {});
+    hasExplained_ = false;
   } else if (played_ && fileOf(*played_) != file) {
     played_.reset();  // somebody has chosen another game
   }
   return played_.has_value();
+}
+
+bool StudyDesk::allows(const std::string& file) const {
+  return (wanted_ && fileOf(*wanted_) == file) || (played_ && fileOf(*played_) == file);
 }
 
 void StudyDesk::begun() {

@@ -53,6 +53,8 @@ class StudyDesk {
   /// `begun` is then to be called once it is.
   bool play(const std::string& file);
   void begun();
+  /// Returns whether this game is the one that is played or wanted.
+  bool allows(const std::string& file) const;
   /// Sets what the game begins with: black walls between lessons, and off what the arm leaves out. Nothing
   /// about it is told in the room.
   void applyTo(OperatorSettings& settings) const;
@@ -68,6 +70,7 @@ class StudyDesk {
   std::unique_ptr<ClassServer> server_;
   std::optional<RoomWish> wanted_, played_;  ///< not played yet; of the present game
   bool isAsked_ = false;                     ///< the wanted one was asked for by a command
+  bool hasExplained_ = false;                ///< the present game has, and the pages know it
   std::optional<StudyOrder> order_;          ///< not carried out yet
   std::string said_;
   std::vector<StudyStanding> standings_;

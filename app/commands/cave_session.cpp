@@ -48,6 +48,9 @@ std::unique_ptr<Clock> clockOf(const SessionSetup& setup, const CaveOptions& opt
 
 KeysOf keysOf(const CaveOptions& options) { return options.byMouse ? KeysOf::dryRun : KeysOf::session; }
 
+/// Returns whether the keys that end the session are always locked: it runs unattended or with a study.
+bool isLockedAlways(const CaveOptions& options) { return options.unattended_s || !options.study.empty(); }
+
 /// Prints what will be shown, on rank 0.
 void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptions& options) {
   const std::vector<Wall>& walls = setup.rig.walls;
@@ -68,7 +71,7 @@ void announce(const SessionSetup& setup, const Cluster& cluster, const CaveOptio
                                      [&](const Wall& wall) { return wall.node % cluster.size() == 0; });
   const bool hasWindow = !options.noWindow && (drawsHere || options.extra.outside || options.extra.console);
   if (hasWindow) sayKeys(keysOf(options));
-  if (hasWindow && options.unattended_s && options.pin.empty())
+  if (hasWindow && isLockedAlways(options) && options.pin.empty())
     log::note("Escape, Q and the windows' close buttons are locked. Ctrl+C or SIGTERM ends the session.");
   if (!hasWindow && !options.frames) {
     log::note("There are no keys: node 0 has no window. Ctrl+C ends the session.");
@@ -179,18 +182,23 @@ std::unique_ptr<ClassDesk> openClass(const CaveOptions& options, const SessionSe
   return desk;
 }
 
+/// A study and its codes, read before a session file is begun.
+struct StudyInputs {
+  explicit StudyInputs(const CaveOptions& options)
+      : study(readStudy(options.study)), slips(readSlips(options.slips, study.participants)) {}
+  Study study;
+  std::map<std::string, std::size_t> slips;
+};
+
 /// Opens the study with its codes, and prints where its pages are.
-std::unique_ptr<StudyDesk> openStudy(const CaveOptions& options, const SetupOptions& inputs) {
-  Study study = readStudy(options.study);
-  StudyDeskOptions desk{*options.session,
-                        readSlips(options.slips, study.participants),
-                        options.isAmended,
-                        inputs.scenario.file.string(),
-                        {},
-                        inputs.rig.file};
+std::unique_ptr<StudyDesk> openStudy(StudyInputs given, const CaveOptions& options,
+                                     const SetupOptions& inputs) {
+  StudyDeskOptions desk{
+      *options.session, std::move(given.slips), options.isAmended, inputs.scenario.file.string(), {},
+      inputs.rig.file};
   desk.server = {options.classAddress.empty() ? addressOfDefaultRoute() : options.classAddress,
                  options.classPort, "", ""};
-  auto opened = std::make_unique<StudyDesk>(std::move(study), std::move(desk));
+  auto opened = std::make_unique<StudyDesk>(std::move(given.study), std::move(desk));
   fmt::print("study: {}\n", opened->address());
   std::fflush(stdout);
   return opened;
@@ -212,14 +220,17 @@ struct LivePlay {
         classroom(openClass(options, setup, inputs, before)) {
     journal.endWith([this] { return source.endForces(); });
     if (classroom) leader.teach(*classroom);
+    std::optional<StudyInputs> given;
+    if (!options.study.empty()) given.emplace(options);
     const WrittenGame game = options.resume ? WrittenGame::resumed : WrittenGame::first;
     const bool isHall = link && link->joins();
     const bool isNew = !isHall && (options.study.empty() || !std::filesystem::exists(*options.session));
     if (isNew) journal.keep(openJournal(options, game, inputs, setup));
-    if (options.study.empty()) return;
+    if (!given) return;
     journal.keep(nullptr);  // of a study the lessons alone are written
-    study = openStudy(options, inputs);
+    study = openStudy(*std::move(given), options, inputs);
     studyListener.emplace(*study, leader);
+    leader.allowOnly([this](const std::string& file) { return study->allows(file); });
     OperatorSettings settings = leader.settings();
     study->applyTo(settings);
     leader.begin(settings);
@@ -514,6 +525,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
                       options.noWindow,  options.frames.has_value(), options.extra};
   inputs.byMouse = options.byMouse;
   inputs.hideRight = options.hideRight;
+  inputs.mayLeave = options.study.empty();
   inputs.textSize = options.textSize;
   inputs.withoutNodes = options.withoutNodes;
   Before before;
@@ -535,7 +547,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
     if (play->status) play->status->play(setup.rig, setup.scenario.title, options.session.value_or(""));
   });
   if (play) announce(setup, cluster, options);
-  KeyLock lock(options.pin, options.unattended_s.has_value());
+  KeyLock lock(options.pin, isLockedAlways(options));
   while (!playGame(cluster, setup, windows, play.get(), keysOf(options), lock) &&
          goOnWithAnother(cluster, options, inputs, setup, windows, play.get())) {
   }

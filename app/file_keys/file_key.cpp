@@ -36,8 +36,9 @@ bool within(const Range& range, double value) {
 }
 
 std::string wordsFor(const Range& range, bool whole) {
-  return fmt::format("{} {} {:g} {} {:g}", whole ? "a whole number" : "a number",
-                     range.above ? "above" : "from", range.least, range.above ? "up to" : "to", range.most);
+  const char *above = range.above ? "above" : "from", *upTo = range.above ? "up to" : "to";
+  if (whole) return fmt::format("a whole number {} {:.0f} {} {:.0f}", above, range.least, upTo, range.most);
+  return fmt::format("a number {} {:g} {} {:g}", above, range.least, upTo, range.most);
 }
 
 const FileKey* findKey(const FileKey& table, std::string_view name) {

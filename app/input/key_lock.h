@@ -3,7 +3,8 @@
 //
 // F12, the digits of the PIN and Enter open the lock; F12 closes it again. While it is closed, the windows'
 // close buttons and these keys do nothing: Escape, Q, T, X, K, B, L, + and -. A session that runs unattended
-// without a PIN locks what ends it: Escape, Q and the close buttons, and nothing opens them.
+// or with a study, without a PIN, locks what ends it: Escape, Q and the close buttons, and nothing opens
+// them.
 
 #include <string>
 

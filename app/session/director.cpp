@@ -33,7 +33,12 @@ void FrameLeader::applyCommand(const Command& given, Decision& decision, std::si
   // Where no lesson can go on, going on shows the best shot.
   const bool isShot =
       std::holds_alternative<AdvanceLesson>(given) && settings_.lesson.phase == LessonPhase::none;
-  const Command command = isShot ? ShowBestShot{} : given;
+  const bool isRefused = programme_.refuses(given);
+  if (isRefused)
+    log::note(fmt::format("study: {} is locked while people take part.", toString(given, settings_)));
+  const Command command = isRefused ? Command(TellPerson{texts::message::kNoSuchKey})
+                          : isShot  ? Command(ShowBestShot{})
+                                    : given;
   if (!apply(command, settings_)) return;
   applied_.push_back(command);
   decision.inputs.push_back({nameOf(command), valueOf(command, settings_), viewer});

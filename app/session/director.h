@@ -39,6 +39,9 @@ class FrameLeader : public Director {
   /// Lets a class take part from now on: its teacher moves the lesson. It must outlive this object.
   void teach(ClassDesk& classroom) { classroom_ = &classroom; }
 
+  /// From now on no game is played but those that `isAllowed` says (app/session/programme.h).
+  void allowOnly(Programme::Allowed isAllowed) { programme_.allowOnly(std::move(isAllowed)); }
+
   /// Returns the commands to apply with the next frame; callers add theirs here.
   Commands& inbox() { return inbox_; }
 

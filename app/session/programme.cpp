@@ -58,7 +58,14 @@ std::optional<int> Programme::countdown(double now_s) const {
   return std::max(0, static_cast<int>(std::ceil(*left)));
 }
 
+bool Programme::refuses(const Command& command) const {
+  if (!isAllowed_) return false;
+  const auto* play = std::get_if<PlayScenario>(&command);
+  return (play && !isAllowed_(play->file)) || std::holds_alternative<WelcomeNextVisitor>(command);
+}
+
 NextGame Programme::look(const SignsOfLife& signs, const std::string& playing) {
+  if (isAllowed_) return {};
   if (!began_s_) began_s_ = signs.now_s;
   if (!emptyFrom_s_) emptyFrom_s_ = signs.now_s;
   if (signs.watches) idle_.wait(signs.now_s);

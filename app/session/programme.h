@@ -2,12 +2,15 @@
 // Which game follows by itself: the playlist's next one after its time, the first one when a visitor has
 // gone, and one after the other to attract people while the room is empty.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/files/playlist.h"
+#include "app/operator/command.h"
 #include "app/session/idle_watch.h"
 
 namespace carom {
@@ -48,6 +51,12 @@ class Programme {
   /// Returns how many seconds are left to a visitor who is to be asked whether they are still there; empty:
   /// none is.
   std::optional<int> countdown(double now_s) const;
+  /// From now on no game follows by itself, and none may be chosen but those that `isAllowed` says of their
+  /// file: visitors stay in the game that a study gives them.
+  using Allowed = std::function<bool(const std::string& file)>;
+  void allowOnly(Allowed isAllowed) { isAllowed_ = std::move(isAllowed); }
+  /// Returns whether the command chooses a game that is not allowed.
+  bool refuses(const Command& command) const;
   /// Says that another game begins, which somebody has chosen.
   void begin() { began_s_.reset(); }
   /// Says that the next visitor is welcomed.
@@ -63,6 +72,7 @@ class Programme {
  private:
   NextGame attract(double now_s);
 
+  Allowed isAllowed_;  ///< empty: all are
   std::string firstGame_;
   std::shared_ptr<const Playlist> playlist_;
   std::optional<double> patience_s_;

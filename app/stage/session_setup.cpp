@@ -72,8 +72,9 @@ void putMouseInPlaceOfTrackers(Rig& rig) {
 }
 
 /// Makes the game what this session wants: the drive no faster than the room allows, too, and a lesson's
-/// right answer hidden.
+/// right answer hidden; without buttons for other games in a study.
 void adaptGame(SessionSetup& setup) {
+  setup.scenario.choices = setup.scenario.choices && setup.mayLeave;
   setup.scenario.most_u = std::min(setup.scenario.most_u, setup.rig.comfort.most_u);
   if (!setup.hideRight || !setup.scenario.lesson) return;
   LessonWords& words = setup.scenario.lesson->words;
@@ -98,9 +99,10 @@ void buildLitScene(const Cluster& cluster, SessionSetup& setup) {
 
 /// Gives the lesson and the choices to the walls; the lesson is empty if there is none. On rank 0, warns of
 /// texts that are too long for the front wall.
-void setTexts(const Scenario& scenario, const Rig& rig, const Cluster& cluster, DisplayWalls& walls) {
+void setTexts(const Scenario& scenario, const Rig& rig, bool mayLeave, const Cluster& cluster,
+              DisplayWalls& walls) {
   const Lesson lesson = scenario.lesson.value_or(Lesson{});
-  walls.overlays().setLesson(lesson.words, lesson.plan);
+  walls.overlays().setLesson(lesson.words, lesson.plan, mayLeave);
   walls.overlays().setOffers(offersOf(scenario));
   const std::optional<Wall> front = frontWall(roomGeometryOf(rig));
   if (!scenario.lesson || cluster.rank() > 0 || !front) return;
@@ -144,6 +146,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   if (setup.rig.panel) setup.rig.panel->textSize = options.textSize;
   setup.scenario = files.scenario(options.scenario);
   setup.hideRight = options.hideRight;
+  setup.mayLeave = options.mayLeave;
   adaptGame(setup);
   onAllRanks(cluster, [&] {
     if (options.live && cluster.rank() == 0) openTraces(setup.rig);
@@ -164,7 +167,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
     setup.walls->setRoom(roomGeometryOf(setup.rig));
-    setTexts(setup.scenario, setup.rig, cluster, *setup.walls);
+    setTexts(setup.scenario, setup.rig, setup.mayLeave, cluster, *setup.walls);
     if (options.extra.outside && cluster.rank() == 0) {
       setup.outside = std::make_unique<SpectatorView>(*setup.graphics, roomGeometryOf(setup.rig), setup.scene,
                                                       plainTable(setup.scenario), setup.desk.outside);
@@ -203,7 +206,7 @@ bool playNext(Cluster& cluster, SessionSetup& setup, const InputFile& file) {
   buildLitScene(cluster, setup);
   onAllRanks(cluster, [&] {
     setup.walls->setScene(setup.scene, setup.scenario.billiard.lightSpeed_m_s);
-    setTexts(setup.scenario, setup.rig, cluster, *setup.walls);
+    setTexts(setup.scenario, setup.rig, setup.mayLeave, cluster, *setup.walls);
     if (setup.outside) setup.outside->setScene(setup.scene, plainTable(setup.scenario));
   });
   setup.world = {historiesAtStart(setup), {}};

@@ -37,6 +37,7 @@ struct SetupOptions {
       0};  ///< of a headset that is not there, in a replay: of its recorded pictures; 0: unknown
   std::optional<SkyPicture> sky{};  ///< drawn in the place of the rig's walls
   bool hideRight = false;           ///< lessons do not tell the right answer
+  bool mayLeave = true;             ///< the walls have buttons for other games; in a study they do not
   double textSize = 1.0;            ///< of the walls' words, a factor
   bool byMouse = false;  ///< mouse and keys move heads and wands in the place of the rig's trackers
 };
@@ -44,7 +45,7 @@ struct SetupOptions {
 struct SessionSetup {
   Rig rig;
   Scenario scenario;
-  bool hideRight = false;  ///< as in the options, for later games, too
+  bool hideRight = false, mayLeave = true;  ///< as in the options, for later games, too
   std::unique_ptr<Graphics> graphics;
   DeskWindows desk;  ///< rank 0 only: where the windows besides the walls' open
   /// The names under which the places of the walls' windows are remembered; empty in simulated time.

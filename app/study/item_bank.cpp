@@ -61,7 +61,6 @@ Item readItem(const TomlTable& table) {
   Item item{
       readId(table, "id"), readId(table, "concept"), table.choice("form"), readWords(table, "question"), {}};
   for (const TomlTable& answer : table.tables("answer")) item.answers.push_back(readAnswer(answer));
-  checkAnswers(table, item);
   return item;
 }
 
@@ -133,8 +132,13 @@ ItemBank readItemBank(const std::filesystem::path& path, const std::optional<std
   bank.title = root.text("title", path.stem().string());
   const std::vector<TomlTable> tables = root.tables("item");
   if (tables.empty()) root.fault("item", "there is no item here, expected [[item]]");
-  for (const TomlTable& table : tables) {
-    Item item = readItem(table);
+  std::vector<Item> items;
+  for (const TomlTable& table : tables) items.push_back(readItem(table));
+  file.throwFaults();  // what follows from a key that is missing or wrong is not told besides
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const TomlTable& table = tables[i];
+    Item& item = items[i];
+    checkAnswers(table, item);
     if (bank.find(item.id, item.form))
       table.fault(
           "id", fmt::format("item {} stands twice in form {}, expected it once", item.id, kForms[item.form]));

@@ -120,6 +120,7 @@ void addTime(LessonBehaviour& all, const FrameRow& frame, double step_s) {
   if (frame.phase == LessonPhase::asks) all.ask_s += step_s;
   if (frame.phase == LessonPhase::shows) all.show_s += step_s;
   if (frame.phase == LessonPhase::explains) all.explain_s += step_s;
+  all.hasExplained = all.hasExplained || frame.phase == LessonPhase::explains;
   if (frame.isBlank) all.blank_s += step_s;
   if (frame.isLost) all.lost_s += step_s;
 }

@@ -14,6 +14,7 @@ namespace carom {
 
 struct LessonBehaviour {
   double ask_s = 0.0, show_s = 0.0, explain_s = 0.0;
+  bool hasExplained = false;
   int repeats = 0;
   std::vector<int> velocities;  ///< numbers from 1
   int viewsSwitched = 0, strokes = 0;

@@ -13,10 +13,24 @@
 
 namespace carom {
 
+namespace {
+
+/// Returns the content of the file. Throws InputErrors if it is none that can be read.
+std::string textOfSlips(const std::filesystem::path& file) {
+  std::string refusal = refusalOf(file, InputKind::trace);
+  if (refusal.empty()) return readText(file, InputKind::trace);
+  const std::string what(limitOf(InputKind::trace).what);
+  if (const std::size_t at = refusal.rfind(what); at != std::string::npos)
+    refusal.replace(at, what.size(), "the slips that carom study codes writes");
+  throw InputErrors({InputError(file.string(), 1, 1, refusal)});
+}
+
+}  // namespace
+
 std::map<std::string, std::size_t> readSlips(const std::filesystem::path& file, std::size_t participants) {
   std::map<std::string, std::size_t> slips;
   std::vector<InputError> faults;
-  const std::string text = readText(file, InputKind::trace);
+  const std::string text = textOfSlips(file);
   int line = 0;
   for (std::size_t from = 0; from < text.size(); ++line) {
     const std::size_t end = std::min(text.find('\n', from), text.size());

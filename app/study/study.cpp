@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
+#include <sstream>
 #include <system_error>
 
 #include "app/file_keys/study_keys.h"
@@ -13,6 +15,7 @@
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
+#include "engine/base/printable.h"
 
 namespace carom {
 namespace {
@@ -91,6 +94,7 @@ class StudyReader {
     study_.bankFile = readFile("items", "items.toml");
     readArms();
     tellFewPeople();
+    tellPrimary();
   }
 
   void readBank(const std::optional<std::string>& kept) {
@@ -98,6 +102,10 @@ class StudyReader {
     readNamed(root_, root_.place("items"), "this item bank", [&] {
       study_.bankText = kept ? *kept : readText(study_.bankFile, InputKind::toml);
       study_.bank = readItemBank(study_.bankFile, study_.bankText);
+      const fs::path shipped = configFolder() / "studies" / "items.toml";
+      std::error_code failed;
+      study_.hasShippedBank =
+          fs::is_regular_file(shipped, failed) && readText(shipped, InputKind::toml) == study_.bankText;
     });
   }
 
@@ -155,6 +163,7 @@ class StudyReader {
       arm.isStill = table.choice("head") == 1;
       arm.switchesOff = readNames(table, "switches_off");
       arm.viewsOff = readNames(table, "views_off");
+      tellSameArm(table, arm);
       study_.arms.push_back(std::move(arm));
     }
   }
@@ -170,16 +179,51 @@ class StudyReader {
     return file;
   }
 
+  void tell(FilePlace place, std::string words) {
+    study_.odd.push_back({Finding::Kind::warning, place, std::move(words)});
+  }
+
+  void tellSameArm(const TomlTable& table, const StudyArm& arm) {
+    const auto isSame = [&](const StudyArm& other) {
+      return isSameFile(other.rig, arm.rig) && other.isStill == arm.isStill &&
+             other.switchesOff == arm.switchesOff && other.viewsOff == arm.viewsOff;
+    };
+    const auto same =
+        isKept_ ? study_.arms.end() : std::find_if(study_.arms.begin(), study_.arms.end(), isSame);
+    if (same == study_.arms.end()) return;
+    tell(table.place(),
+         fmt::format("the arm '{}' has the same settings as the arm '{}', expected a difference "
+                     "between them",
+                     arm.name, same->name));
+  }
+
+  void tellPrimary() {
+    constexpr std::string_view kGain = "gain", kBetween = "gain between arms";
+    const std::string& primary = study_.primary;
+    const std::size_t arms = study_.arms.size();
+    if (primary.empty() || (primary == kGain && arms == 1) || (primary == kBetween && arms == 2)) return;
+    const std::string expected = arms > 2 ? "no primary outcome with more than two arms"
+                                          : fmt::format("'{}', for {}", arms == 1 ? kGain : kBetween,
+                                                        arms == 1 ? "one arm" : "two arms");
+    tell(root_.place("primary"), fmt::format("primary is '{}', which the report has no test for, expected {}",
+                                             printable(primary), expected));
+  }
+
   void tellFewPeople() {
     if (study_.arms.empty() || study_.lessons.empty()) return;
     const std::size_t each = study_.participants / study_.arms.size();
+    constexpr std::size_t kFewest = 12;  // as in config/studies/analyse.R
+    if (each < kFewest)
+      tell(root_.place("participants"),
+           fmt::format(
+               "{} people in an arm: the report will describe and have no p-values, expected at least {}",
+               each, kFewest));
     const std::size_t pairs = study_.hasFixedForms ? 1 : 6, rows = orderRows(study_);
     if (each >= std::max(rows, pairs)) return;
-    study_.odd.push_back(
-        {Finding::Kind::warning, root_.place("participants"),
+    tell(root_.place("participants"),
          fmt::format("too few participants for the rows: {} in an arm, expected at least {}, for {} orders "
                      "of lessons and {} pairs of forms",
-                     each, std::max(rows, pairs), rows, pairs)});
+                     each, std::max(rows, pairs), rows, pairs));
   }
 
   const TomlTable& root_;
@@ -207,6 +251,30 @@ Study readStudy(const fs::path& file) { return read(file, {}, {}); }
 
 Study keptStudy(const std::string& text, const std::string& bankText) {
   return read("study.toml", text, bankText);
+}
+
+std::vector<Finding> leftOfTemplate(const std::string& consent) {
+  static const std::regex brackets(R"(\[[^\]\n]*\](?!\())");  // followed by (…) it is a link
+  constexpr std::array<std::string_view, 2> kTemplate{"A template for your ethics board",
+                                                      "Eine Vorlage für Ihre Ethikkommission"};
+  std::vector<Finding> found;
+  std::istringstream lines(consent);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const auto add = [&](std::ptrdiff_t at, const std::string& words) {
+      found.push_back({Finding::Kind::warning, {number, static_cast<int>(at) + 1}, words});
+    };
+    for (const std::string_view words : kTemplate) {
+      if (const std::size_t at = line.find(words); at != std::string::npos)
+        add(static_cast<std::ptrdiff_t>(at),
+            "this is still the template's sentence, expected a consent page that is complete");
+    }
+    for (std::sregex_iterator it(line.begin(), line.end(), brackets), end; it != end; ++it)
+      add(it->position(),
+          fmt::format("{} stands in brackets, expected the words of this study", printable(it->str())));
+  }
+  return found;
 }
 
 std::vector<std::string> rigsOf(const Study& study) {

@@ -38,6 +38,7 @@ struct Study {
   bool hasFixedOrder = false, hasFixedForms = false;
   std::filesystem::path bankFile;
   std::string bankText;
+  bool hasShippedBank = false;  ///< the items are those of the shipped bank
   ItemBank bank;
   std::string primary;
   bool asksGender = false, asksReasons = false, isOpen = false;
@@ -55,6 +56,10 @@ Study readStudy(const std::filesystem::path& file);
 /// Returns the study as it was when a session began, from the content of its files then. Rigs, lessons and
 /// the consent page are not looked for. Throws InputErrors.
 Study keptStudy(const std::string& text, const std::string& bankText);
+
+/// Returns what of the template still stands in a consent page: words in [brackets], and the sentence that it
+/// is a template.
+std::vector<Finding> leftOfTemplate(const std::string& consent);
 
 /// Returns the names of the rigs of the arms, each once. People of different ones take part in sessions of
 /// their own.

@@ -48,13 +48,21 @@ constexpr auto kColumns = std::to_array<StudyColumn>({
     {kPeople, "games_hours", kText, kNone, "hours of 3D games a week", "0|1-3|4-9|10-|"},
     {kPeople, "language", kText, kNone, "language that is spoken best", "any or empty"},
     {kPeople, "gender", kText, kNone, "gender, if the study asks for it", "any or empty"},
-    {kPeople, "excluded", kText, kNone, "rule by which the participant is left out; empty: none", "stopped|"},
+    {kPeople, "guardian", kWhole, kNone, "whether the consent of a guardian is there on paper", "0|1"},
+    {kPeople, "excluded", kText, kNone,
+     "rule by which the participant is left out: stopped by their own wish, or unfinished, with something "
+     "still "
+     "to come; empty: none",
+     "stopped|unfinished|"},
     {kBehaviour, "participant", kText, kNone, "code of the participant", "six letters"},
     {kBehaviour, "lesson", kText, kNone, "name of the lesson", "a lesson of the study"},
     {kBehaviour, "position", kWhole, kNone, "which of the participant's lessons, from 1", "1 and more"},
+    {kBehaviour, "attempt", kWhole, kNone, "how often the participant had begun this lesson, with this time",
+     "1 and more"},
     {kBehaviour, "ask_s", kNumber, "s", "time while the lesson asked", "0 and more"},
     {kBehaviour, "show_s", kNumber, "s", "time while it showed", "0 and more"},
     {kBehaviour, "explain_s", kNumber, "s", "time while it explained", "0 and more"},
+    {kBehaviour, "explained", kWhole, kNone, "whether the lesson explained itself", "0|1"},
     {kBehaviour, "repeats", kWhole, kNone, "how often it was shown again", "0 and more"},
     {kBehaviour, "velocities", kText, kNone, "numbers of the velocities chosen, from 1, in their order",
      "numbers, separated by blanks"},
@@ -75,7 +83,7 @@ constexpr auto kColumns = std::to_array<StudyColumn>({
     {kBehaviour, "blank_s", kNumber, "s", "time in which the walls were dark", "0 and more"},
     {kBehaviour, "lost_s", kNumber, "s", "time in which the head was lost", "0 and more"},
     {kStudy, "key", kText, kNone, "name of a fact of the study",
-     "title|sha256|sha256_before|primary|seed|planned|withdrew|keep_until"},
+     "title|sha256|sha256_before|primary|bank|seed|planned|withdrew|keep_until"},
     {kStudy, "value", kText, kNone, "its value", "any or empty"},
 });
 

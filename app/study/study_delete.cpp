@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
 #include "app/study/study_code.h"
+#include "app/study/study_lock.h"
 #include "app/study/study_tables.h"
 #include "engine/base/outside_file.h"
 #include "engine/base/whole_file.h"
@@ -116,18 +118,44 @@ void removeGame(SQLite::Database& database, std::int64_t firstFrame) {
   remove(database, "DELETE FROM game WHERE first_frame >= ? AND first_frame < ?", firstFrame, firstFrame + 1);
 }
 
-StudyDeletion deleteFromSession(const std::string& code, const fs::path& file) {
+/// Adds a word to a text of the table session.
+void addWord(SQLite::Database& database, const std::string& key, const std::string& word) {
+  SQLite::Statement row(database,
+                        "INSERT OR REPLACE INTO session VALUES(?1, coalesce((SELECT value FROM session WHERE "
+                        "key = ?1) || ' ', '') || ?2)");
+  row.bind(1, key);
+  row.bind(2, word);
+  row.exec();
+}
+
+/// Makes the file complete without FILE-wal. Throws while a session, also one between two lessons, or another
+/// program has it open.
+void closeLog(SQLite::Database& database, const fs::path& file) {
+  bool isAlone = false;
+  try {
+    isAlone = database.execAndGet("PRAGMA journal_mode = DELETE").getString() == "delete";
+  } catch (const SQLite::Exception&) {
+    // It is in use.
+  }
+  if (!isAlone)
+    throw std::runtime_error(
+        fmt::format("{}: another program has it open, expected that its session is over", file.string()));
+}
+
+StudyDeletion deleteFromSession(const std::string& code, const fs::path& file,
+                                const std::string& withdrawal) {
   const NoWriter alone(file);
+  const StudyLock lock(file);
+  if (!lock.isTaken())
+    throw std::runtime_error(fmt::format(
+        "{}: a session with its study is open, expected that its session is over", file.string()));
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE, 2000);
   if (!hasStudy(database))
     throw std::runtime_error(
         fmt::format("{}: there is no study in this file, expected a session of carom cave "
                     "--study",
                     file.string()));
-  // Fails while another program has the file open; from here on there is no FILE-wal.
-  if (database.execAndGet("PRAGMA journal_mode = DELETE").getString() != "delete")
-    throw std::runtime_error(
-        fmt::format("{}: another program has it open, expected that its session is over", file.string()));
+  closeLog(database, file);
   StudyDeletion deleted;
   database.exec("PRAGMA secure_delete = ON");
   SQLite::Transaction transaction(database);
@@ -145,11 +173,8 @@ StudyDeletion deleteFromSession(const std::string& code, const fs::path& file) {
     database.exec(
         "INSERT OR REPLACE INTO session VALUES('study_withdrew', 1 + coalesce((SELECT CAST(value AS INTEGER) "
         "FROM session WHERE key = 'study_withdrew'), 0))");
-    SQLite::Statement mark(database,
-                           "INSERT OR REPLACE INTO session VALUES('study_withdrawn', coalesce((SELECT value "
-                           "FROM session WHERE key = 'study_withdrawn') || ' ', '') || ?)");
-    mark.bind(1, withdrawnMark(code));
-    mark.exec();
+    addWord(database, "study_withdrawn", withdrawnMark(code));
+    addWord(database, "study_withdrawals", withdrawal);
   }
   transaction.commit();
   database.exec("VACUUM");
@@ -223,7 +248,13 @@ void checkGone(const std::string& code, const fs::path& file) {
 
 }  // namespace
 
-StudyDeletion deleteParticipant(const std::string& code, const fs::path& file) try {
+std::string newWithdrawal() {
+  std::random_device any;
+  return fmt::format("{:08x}{:08x}", any(), any());
+}
+
+StudyDeletion deleteParticipant(const std::string& code, const fs::path& file,
+                                const std::string& withdrawal) try {
   if (fs::is_directory(file)) {
     if (!fs::is_regular_file(file / "study.csv"))
       throw std::runtime_error(
@@ -234,7 +265,7 @@ StudyDeletion deleteParticipant(const std::string& code, const fs::path& file) t
   }
   if (const std::string refusal = refusalOf(file, InputKind::session); !refusal.empty())
     throw std::runtime_error(fmt::format("{}: {}", file.string(), refusal));
-  const StudyDeletion deleted = deleteFromSession(code, file);
+  const StudyDeletion deleted = deleteFromSession(code, file, withdrawal);
   checkGone(code, file);
   return deleted;
 } catch (const SQLite::Exception& error) {

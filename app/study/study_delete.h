@@ -15,10 +15,15 @@ struct StudyDeletion {
   bool any() const { return rows + games + files > 0; }
 };
 
-/// Removes all data of a code from a session file or an export folder, and counts one more who withdrew.
+/// Returns a random identifier of a withdrawal, which tells nothing of its code.
+std::string newWithdrawal();
+
+/// Removes all data of a code from a session file or an export folder, and counts one more who withdrew: a
+/// session file keeps `withdrawal`, so that one withdrawal from several files is counted once.
 /// Afterwards no byte sequence of the code is in the file, nor in FILE-wal; what others did stays as it was.
 /// Throws std::runtime_error if the file is neither, if a session is writing to it, or if the code is still
 /// in it.
-StudyDeletion deleteParticipant(const std::string& code, const std::filesystem::path& file);
+StudyDeletion deleteParticipant(const std::string& code, const std::filesystem::path& file,
+                                const std::string& withdrawal);
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "app/files/rig.h"
@@ -37,7 +38,8 @@ struct OpenSession {
   SQLite::Database database;
   Study study;
   std::string sha256Before;
-  int withdrew = 0;
+  std::set<std::string> withdrawals;  ///< identifiers of deletions
+  int withdrew = 0;                   ///< how many, also those without an identifier
 
   explicit OpenSession(const fs::path& path)
       : file(path), database(path.string(), SQLite::OPEN_READONLY, 2000) {}
@@ -54,6 +56,8 @@ std::unique_ptr<OpenSession> openSession(const fs::path& file) try {
   session->sha256Before = sessionValue(session->database, "study_sha256_before");
   const std::string withdrew = sessionValue(session->database, "study_withdrew");
   session->withdrew = withdrew.empty() ? 0 : std::atoi(withdrew.c_str());
+  std::istringstream withdrawals(sessionValue(session->database, "study_withdrawals"));
+  for (std::string one; withdrawals >> one;) session->withdrawals.insert(one);
   return session;
 } catch (const SQLite::Exception& error) {
   throw std::runtime_error(fmt::format("{}: {}, expected a session file", file.string(), error.what()));
@@ -72,10 +76,28 @@ void checkSameStudy(const OpenSession& first, const OpenSession& other) {
       first.study.sha256));
 }
 
+/// Throws if both files are of the same session: its people would be counted twice. A copy began in the same
+/// second, and has some of the same people.
+void checkAnother(OpenSession& first, OpenSession& other) {
+  std::error_code failed;
+  const auto first_ = participantsIn(first.database), other_ = participantsIn(other.database);
+  const auto isIn = [&](const ParticipantRow& row) {
+    return std::any_of(first_.begin(), first_.end(),
+                       [&](const ParticipantRow& one) { return one.code == row.code; });
+  };
+  const bool isCopy =
+      sessionValue(first.database, "started_utc") == sessionValue(other.database, "started_utc") &&
+      std::any_of(other_.begin(), other_.end(), isIn);
+  if (!isCopy && !fs::equivalent(first.file, other.file, failed)) return;
+  throw std::runtime_error(fmt::format("{} is the same session as {}, expected each session once",
+                                       other.file.string(), first.file.string()));
+}
+
 /// The CSV files of an export.
 struct StudyFiles {
   StudyCsv responses{"responses.csv"}, people{"participants.csv"}, behaviour{"behaviour.csv"},
       study{"study.csv"};
+  std::map<std::pair<std::string, std::string>, int> attempts;  ///< so far, by code and lesson
 };
 
 Values commonValues(const OpenSession& session, const ParticipantRow& person) {
@@ -87,7 +109,7 @@ Values commonValues(const OpenSession& session, const ParticipantRow& person) {
 
 std::string excludedBy(const ParticipantRow& person) {
   if (!person.excluded.empty()) return person.excluded;
-  return person.step < static_cast<int>(StudyStep::done) ? "stopped" : "";
+  return person.step < static_cast<int>(StudyStep::done) ? "unfinished" : "";
 }
 
 /// Adds the rows of a test: one for each item of its form, also of those without an answer.
@@ -182,14 +204,16 @@ HeadInRoom headOf(OpenSession& session) {
   return head;
 }
 
-void addBehaviour(const LessonBehaviour& seen, const ParticipationRow& lesson, StudyCsv& file) {
+void addBehaviour(const LessonBehaviour& seen, const ParticipationRow& lesson, int attempt, StudyCsv& file) {
   const auto number = [](double value) { return fmt::format("{:.6g}", value); };
   file.add({{"participant", lesson.code},
             {"lesson", lesson.lesson},
             {"position", std::to_string(lesson.position)},
+            {"attempt", std::to_string(attempt)},
             {"ask_s", number(seen.ask_s)},
             {"show_s", number(seen.show_s)},
             {"explain_s", number(seen.explain_s)},
+            {"explained", seen.hasExplained ? "1" : "0"},
             {"repeats", std::to_string(seen.repeats)},
             {"velocities", fmt::format("{}", fmt::join(seen.velocities, " "))},
             {"views_switched", std::to_string(seen.viewsSwitched)},
@@ -220,7 +244,8 @@ void addLessons(OpenSession& session, const StudyExport& wanted, const fs::path&
     if (person == people.end()) continue;
     const std::int64_t end = i + 1 < games.size() ? games[i + 1].firstFrame : INT64_MAX;
     addLessonAnswer(session, *person, *lesson, games[i], end, files.responses);
-    addBehaviour(behaviourIn(session.database, lesson->firstFrame, end, head), *lesson, files.behaviour);
+    addBehaviour(behaviourIn(session.database, lesson->firstFrame, end, head), *lesson,
+                 ++files.attempts[{lesson->code, lesson->lesson}], files.behaviour);
     if (wanted.hasMotion && person->allows("paths"))
       exportMotion(session.database, *lesson, games[i], end, folder / "motion");
   }
@@ -239,6 +264,7 @@ void addPerson(OpenSession& session, const ParticipantRow& person, StudyFiles& f
   row.insert({{"forms", person.forms},
               {"consent_version", person.consentVersion},
               {"started_utc", person.startedUtc},
+              {"guardian", person.allows("guardian") ? "1" : "0"},
               {"excluded", excludedBy(person)}});
   for (const BackgroundQuestion& question : kBackground)
     row[question.id] = backgroundOf(responses, question.id);
@@ -257,8 +283,12 @@ void addStudyFacts(const std::vector<std::unique_ptr<OpenSession>>& sessions, St
     return a->sha256Before.size() < b->sha256Before.size();
   });
   const Study& study = (*newest)->study;
-  int withdrew = 0;
-  for (const auto& session : sessions) withdrew += session->withdrew;
+  std::set<std::string> withdrawals;  // one stands in each file of its call
+  int unnamed = 0;
+  for (const auto& session : sessions) {
+    withdrawals.insert(session->withdrawals.begin(), session->withdrawals.end());
+    unnamed += std::max(0, session->withdrew - static_cast<int>(session->withdrawals.size()));
+  }
   std::string until;
   if (study.keepUntil)
     until = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(study.keepUntil->year()),
@@ -269,9 +299,10 @@ void addStudyFacts(const std::vector<std::unique_ptr<OpenSession>>& sessions, St
       {"sha256", study.sha256},
       {"sha256_before", (*newest)->sha256Before},
       {"primary", study.primary},
+      {"bank", sessionValue((*newest)->database, "study_bank")},
       {"seed", std::to_string(study.seed)},
       {"planned", std::to_string(study.participants)},
-      {"withdrew", std::to_string(withdrew)},
+      {"withdrew", std::to_string(unnamed + static_cast<int>(withdrawals.size()))},
       {"keep_until", until}};
   for (const auto& [key, value] : facts) file.add({{"key", key}, {"value", value}});
 }
@@ -309,6 +340,7 @@ void exportStudy(const StudyExport& wanted) {
   for (const fs::path& file : wanted.sessions) {
     sessions.push_back(openSession(file));
     checkSameStudy(*sessions.front(), *sessions.back());
+    for (std::size_t i = 0; i + 1 < sessions.size(); ++i) checkAnother(*sessions[i], *sessions.back());
   }
   WholeFolder folder(wanted.folder);
   StudyFiles files;

@@ -172,11 +172,18 @@ std::string ratingPage(const StudyPageFrame& frame, std::span<const RatingQuesti
   return formPage(frame, "How are you?", body, button("rate", "Go on", "main"));
 }
 
-std::string stopPage(const StudyPageFrame& frame) {
-  return formPage(
-      frame, "Do you want to stop?",
-      "<p>You feel unwell. It is all right to stop now; sit down, and tell the person who leads.</p>",
-      button("stop", "Stop now", "main") + button("stay", "I want to go on"), false);
+std::string stopPage(const StudyPageFrame& frame, bool isUnwell) {
+  const char* words =
+      isUnwell ? "You feel unwell. It is all right to stop now; sit down, and tell the person who leads."
+               : "Afterwards you cannot go on with this code. What you answered so far is kept, but left out "
+                 "of the analysis; with the code of your slip you can have it deleted.";
+  return formPage(frame, "Do you want to stop?", fmt::format("<p>{}</p>", words),
+                  button("stop-now", "Stop now", "main") + button("stay", "I want to go on"), false);
+}
+
+std::string onwardsPage(const StudyPageFrame& frame) {
+  return formPage(frame, "Go on all the same?", "<p>The lesson has not explained itself yet.</p>",
+                  button("stay", "Back to the lesson", "main") + button("anyway", "Go on all the same"));
 }
 
 std::string lessonPage(const StudyPageFrame& frame, std::size_t place, std::size_t count, bool isWaiting) {

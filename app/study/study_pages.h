@@ -36,8 +36,10 @@ std::string itemPage(const StudyPageFrame& frame, const Item& item, std::size_t 
 /// The page from which a test is handed in.
 std::string handInPage(const StudyPageFrame& frame, std::size_t unanswered);
 std::string ratingPage(const StudyPageFrame& frame, std::span<const RatingQuestion> questions);
-/// Offers to stop to somebody who feels unwell.
-std::string stopPage(const StudyPageFrame& frame);
+/// Asks whether somebody stops who wants to, or offers it to somebody who feels unwell.
+std::string stopPage(const StudyPageFrame& frame, bool isUnwell);
+/// Asks whether to go on from a lesson that has not explained itself yet.
+std::string onwardsPage(const StudyPageFrame& frame);
 /// While the lessons run in the room; `isWaiting`: somebody else is in there.
 std::string lessonPage(const StudyPageFrame& frame, std::size_t place, std::size_t count, bool isWaiting);
 std::string endPage(const std::string& words);

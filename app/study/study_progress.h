@@ -24,6 +24,9 @@ enum class StudyStep : int {
 /// The phases of the tests, in the order of a participant's forms.
 inline constexpr std::array<const char*, 3> kTestPhases{"pre", "post", "delayed"};
 
+/// The band of age in which a guardian's consent is needed.
+inline constexpr const char* kUnderAge = "under-18";
+
 /// A question about the person, with bands from which one chooses; none: a short text.
 struct BackgroundQuestion {
   const char* id;
@@ -32,7 +35,7 @@ struct BackgroundQuestion {
 };
 
 inline constexpr std::array<BackgroundQuestion, 6> kBackground{
-    {{"age_band", "How old are you?", {"under-18", "18-24", "25-34", "35-49", "50-64", "65-"}},
+    {{"age_band", "How old are you?", {kUnderAge, "18-24", "25-34", "35-49", "50-64", "65-"}},
      {"physics_years", "How many years of physics courses have you had?", {"0", "1-2", "3-4", "5-"}},
      {"relativity", "What do you know about relativity so far?", {"none", "read", "course"}},
      {"games_hours", "How many hours a week do you play 3D games?", {"0", "1-3", "4-9", "10-"}},

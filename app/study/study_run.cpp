@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kMostTokens = 1000, kReasonLetters = 200, kBackgroundLetters = 40;
 constexpr double kLongestLook_s = 600.0;  // of one item; a page that stays open overnight is none
 constexpr int kDaysToDelayed = 7;
+constexpr const char *kStudyPath = "/study", *kAt = "/study?at=";
 
 StudyStep stepOf(const ParticipantRow& row) { return static_cast<StudyStep>(row.step); }
 
@@ -61,21 +62,47 @@ StudyRun::StudyRun(Setup setup, StudyTables& tables)
   }
 }
 
-std::string StudyRun::page(std::string_view form, double now_s) {
+std::string StudyRun::take(std::string_view form, double now_s) {
   const std::scoped_lock hold(mutex_);
   store();
   const FormFields fields(form);
   const auto code = codes_.find(fields["token"]);
-  if (code == codes_.end()) {
-    if (fields["go"] == "called" && called_.empty())
-      return codePage(setup_.study.title, "No code has been typed at the console. Please type yours here.");
-    if (fields["go"] == "called") return enter(std::exchange(called_, {}), now_s);
-    return fields.has("code") ? enter(fields["code"], now_s) : codePage(setup_.study.title, "");
-  }
+  if (code == codes_.end()) return enter(fields, now_s);
   Place& place = places_.at(code->second);
-  const Refusal refused = take(place, fields, now_s);
+  place.notice = take(place, fields, now_s);
+  place.shown_s = now_s;
   store();
-  return render(place, refused, now_s);
+  const std::string end = endOf(place);
+  if (end.empty()) return kAt + code->first;
+  codes_.erase(code);
+  return addressOf(endPage(end));
+}
+
+std::string StudyRun::page(std::string_view query) {
+  const std::scoped_lock hold(mutex_);
+  store();
+  const FormFields fields(query);
+  const std::string& token = fields["at"];
+  if (const auto code = codes_.find(token); code != codes_.end())
+    return render(places_.at(code->second), token);
+  const auto page = pages_.find(token);
+  return page == pages_.end() ? codePage(setup_.study.title, "") : page->second;
+}
+
+/// Keeps a page that is of no participant, and returns its address.
+std::string StudyRun::addressOf(std::string page) {
+  if (pages_.size() >= kMostTokens) pages_.erase(pages_.begin());
+  const std::string token = setup_.newToken();
+  pages_[token] = std::move(page);
+  return kAt + token;
+}
+
+/// Returns the words at the end of a participant's visit; empty before.
+std::string StudyRun::endOf(const Place& place) const {
+  if (!place.row.excluded.empty())
+    return "You have stopped. What you answered so far is kept, but left out of the analysis.";
+  if (stepOf(place.row) == StudyStep::done) return "For today this was all.";
+  return stepOf(place.row) == StudyStep::doneDelayed ? "This was the last test." : "";
 }
 
 /// Returns why a code cannot be used now; empty if it can.
@@ -99,19 +126,29 @@ StudyRun::Refusal StudyRun::refusalOf(const std::string& code) const {
   return "";
 }
 
+std::string StudyRun::enter(const FormFields& fields, double now_s) {
+  if (fields["go"] == "called" && called_.empty())
+    return addressOf(
+        codePage(setup_.study.title, "No code has been typed at the console. Please type yours here."));
+  if (fields["go"] == "called") return enter(std::exchange(called_, {}), now_s);
+  return fields.has("code") ? enter(fields["code"], now_s) : kStudyPath;
+}
+
 std::string StudyRun::enter(const std::string& typed, double now_s) {
   const std::optional<std::string> code = codeOf(typed);
-  if (!code)
-    return codePage(setup_.study.title, "This is no code: a letter of it is mistyped. Please try again.");
-  if (const Refusal refused = refusalOf(*code); !refused.empty())
-    return codePage(setup_.study.title, refused);
+  const Refusal refused =
+      code ? refusalOf(*code) : "This is no code: a letter of it is mistyped. Please try again.";
+  if (!refused.empty()) return addressOf(codePage(setup_.study.title, refused));
   Place& place = placeOf(*code);
   if (stepOf(place.row) == StudyStep::done) goTo(place, StudyStep::delayed);
   if (codes_.size() >= kMostTokens) codes_.erase(codes_.begin());
   std::erase_if(codes_, [&](const auto& one) { return one.second == *code; });  // one page a person
-  codes_[setup_.newToken()] = *code;
+  const std::string token = setup_.newToken();
+  codes_[token] = *code;
+  place.shown_s = now_s;
+  place.notice.clear();
   store();
-  return render(place, "", now_s);
+  return kAt + token;
 }
 
 /// Returns the place of a code, which may be new.
@@ -136,10 +173,15 @@ StudyRun::Refusal StudyRun::take(Place& place, const FormFields& fields, double 
   const StudyStep step = stepOf(place.row);
   if (fields.number("step", 100, -1) != place.row.step) return "";
   const std::string& go = fields["go"];
-  if (go == "stop") {
+  if (go == "stop-now" && (place.isUnwell || place.asksStop)) {
     stop(place);
     return "";
   }
+  if (std::exchange(place.asksStop, go == "stop")) return "";  // of that page every form but one goes on
+  if (place.asksStop) return "";
+  const bool isOfAnotherPage = go == "stop-now" || (go == "anyway" && !place.asksOnwards) ||
+                               (go == "stay" && !place.isUnwell && !place.asksOnwards);
+  if (isOfAnotherPage) return "";
   if (place.isUnwell) {  // the offer to stop is seen, whatever page was open before
     place.isUnwell = go != "stay";
     isNews_ = true;
@@ -151,8 +193,7 @@ StudyRun::Refusal StudyRun::take(Place& place, const FormFields& fields, double 
     case StudyStep::consent:
       return takeConsent(place, fields);
     case StudyStep::background:
-      takeBackground(place, fields);
-      return "";
+      return takeBackground(place, fields);
     case StudyStep::before:
     case StudyStep::after:
     case StudyStep::delayed:
@@ -168,7 +209,7 @@ StudyRun::Refusal StudyRun::take(Place& place, const FormFields& fields, double 
       return refused;
     }
     case StudyStep::lessons:
-      takeLesson(place, now_s);
+      takeLesson(place, go, now_s);
       return "";
     case StudyStep::ratings: {
       const Refusal refused = takeRatings(place, kRatingsAfter, fields, now_s);
@@ -193,7 +234,16 @@ StudyRun::Refusal StudyRun::takeConsent(Place& place, const FormFields& fields) 
   return "";
 }
 
-void StudyRun::takeBackground(Place& place, const FormFields& fields) {
+/// A person under age goes on with a guardian's consent alone; without it no row of them stays.
+StudyRun::Refusal StudyRun::takeBackground(Place& place, const FormFields& fields) {
+  place.needsGuardian = fields["age_band"] == kUnderAge && !place.row.allows("guardian");
+  if (place.needsGuardian) {
+    place.row.consent.clear();
+    unwritten_.emplace_back([this, code = place.row.code] { tables_.forget(code); });
+    goTo(place, StudyStep::consent);
+    return "You are under 18: the consent of a parent or guardian on paper is needed. Please speak to the "
+           "person who leads before you go on.";
+  }
   for (const BackgroundQuestion& question : kBackground) {
     if (std::string_view(question.id) == "gender" && !setup_.study.asksGender) continue;
     const std::string answer = plainWords(fields[question.id], kBackgroundLetters);
@@ -206,6 +256,7 @@ void StudyRun::takeBackground(Place& place, const FormFields& fields) {
     keep(place, std::move(row), false);
   }
   goTo(place, StudyStep::before);
+  return "";
 }
 
 std::vector<const Item*> StudyRun::itemsOf(const Place& place) const {
@@ -280,13 +331,18 @@ StudyRun::Refusal StudyRun::takeRatings(Place& place, std::span<const RatingQues
   return "";
 }
 
-/// The present lesson is over: the next one begins, or the test after the last one.
-void StudyRun::takeLesson(Place& place, double now_s) {
+/// The present lesson is over: the next one begins, or the test after the last one. Before it has explained
+/// itself the page asks once.
+void StudyRun::takeLesson(Place& place, const std::string& go, double now_s) {
   if (inRoom_ != place.row.code) return enterRoom(place);
   if (now_s - place.askedUnwell_s >= kAskUnwellEvery_s) {
     askUnwell(place, now_s);
     return;
   }
+  const bool isSure = place.hasExplained || (place.asksOnwards && go == "anyway");
+  place.asksOnwards = !isSure && go != "stay";
+  if (!isSure || go == "stay") return;
+  place.hasExplained = false;
   ++place.row.lesson;
   if (place.row.lesson < place.plan.lessons.size()) {
     goTo(place, StudyStep::lessons);
@@ -351,16 +407,12 @@ void StudyRun::store() {
   }
 }
 
-std::string StudyRun::render(Place& place, const Refusal& notice, double now_s) {
-  place.shown_s = now_s;
-  if (!place.row.excluded.empty()) return endPage("You have stopped. What you answered so far is not used.");
-  const auto token = std::find_if(codes_.begin(), codes_.end(),
-                                  [&](const auto& one) { return one.second == place.row.code; });
-  StudyPageFrame frame{token == codes_.end() ? "" : token->first, place.row.step, place.item, notice};
+std::string StudyRun::render(const Place& place, const std::string& token) const {
+  StudyPageFrame frame{token, place.row.step, place.item, place.notice};
   if (isTroubled_)
     frame.notice +=
         " Your answers cannot be stored at the moment; they are kept. Please tell the person who leads.";
-  if (place.isUnwell) return stopPage(frame);
+  if (place.isUnwell || place.asksStop) return stopPage(frame, place.isUnwell);
   if (place.asksUnwell) return ratingPage(frame, std::span(&kUnwellDuring, 1));
   switch (stepOf(place.row)) {
     case StudyStep::consent:
@@ -374,18 +426,18 @@ std::string StudyRun::render(Place& place, const Refusal& notice, double now_s) 
     case StudyStep::wellBefore:
       return ratingPage(frame, std::span(&kUnwellBefore, 1));
     case StudyStep::lessons:
+      if (place.asksOnwards) return onwardsPage(frame);
       return lessonPage(frame, place.row.lesson, place.plan.lessons.size(), inRoom_ != place.row.code);
     case StudyStep::ratings:
       return ratingPage(frame, kRatingsAfter);
     case StudyStep::done:
-      return endPage("For today this was all.");
     case StudyStep::doneDelayed:
       break;
   }
-  return endPage("This was the last test.");
+  return endPage(endOf(place));
 }
 
-std::string StudyRun::renderTest(Place& place, const StudyPageFrame& frame) const {
+std::string StudyRun::renderTest(const Place& place, const StudyPageFrame& frame) const {
   const std::vector<const Item*> items = itemsOf(place);
   const char* phase = kTestPhases[*testOf(stepOf(place.row))];
   const auto answerTo = [&](const Item& item) {
@@ -401,96 +453,6 @@ std::string StudyRun::renderTest(Place& place, const StudyPageFrame& frame) cons
   }
   const Item& item = *items[place.item];
   return itemPage(frame, item, place.item, items.size(), answerTo(item), setup_.study.asksReasons);
-}
-
-std::optional<RoomWish> StudyRun::takeWish() {
-  const std::unique_lock hold(mutex_, std::try_to_lock);
-  return hold ? std::exchange(wish_, {}) : std::nullopt;
-}
-
-void StudyRun::lessonBegins(const RoomWish& wish) {
-  const std::scoped_lock hold(mutex_);
-  unwritten_.emplace_back([this, wish] {
-    tables_.beginLesson(wish.code, setup_.study.lessons.at(wish.lesson).name, wish.position);
-  });
-  store();
-}
-
-bool StudyRun::asksUnwell(double now_s) {
-  const std::unique_lock hold(mutex_, std::try_to_lock);
-  if (!hold || inRoom_.empty()) return false;
-  Place& place = places_.at(inRoom_);
-  const double every_s = place.asksUnwell ? kRemindEvery_s : kAskUnwellEvery_s;
-  if (stepOf(place.row) != StudyStep::lessons || place.isUnwell || now_s - place.askedUnwell_s < every_s)
-    return false;
-  askUnwell(place, now_s);
-  return true;
-}
-
-std::optional<std::string> StudyRun::order(const StudyOrder& order, double now_s) {
-  const std::unique_lock hold(mutex_, std::try_to_lock);
-  if (!hold) return {};
-  return std::visit([&](const auto& one) { return carryOut(one, now_s); }, order);
-}
-
-std::string StudyRun::carryOut(const CallCode& called, double /*now_s*/) {
-  const std::optional<std::string> code = codeOf(called.typed);
-  if (!code) return "This is no code: a letter of it is mistyped.";
-  if (Refusal refused = refusalOf(*code); !refused.empty()) return refused;
-  called_ = *code;
-  const StudyArm& arm = setup_.study.arms.at(planned_.at(setup_.slips.at(*code) - 1).arm);
-  return fmt::format("{}{}: ready. On the tablet: \"My code was typed for me\".", *code,
-                     setup_.study.isOpen ? " (" + arm.name + ")" : "");
-}
-
-std::string StudyRun::carryOut(const RateUnwell& rated, double now_s) {
-  if (inRoom_.empty()) return "Nobody is in a lesson.";
-  Place& place = places_.at(inRoom_);
-  place.shown_s = place.asksUnwell ? place.askedUnwell_s : now_s;
-  takeRatings(place, std::span(&kUnwellDuring, 1),
-              FormFields(fmt::format("{}={}", kUnwellDuring.id, rated.value)), now_s);
-  if (place.isUnwell) return fmt::format("{} feels unwell: offer to stop.", inRoom_);
-  return fmt::format("{}: {} is kept.", inRoom_, rated.value);
-}
-
-std::string StudyRun::carryOut(const StopInRoom& /*stopped*/, double /*now_s*/) {
-  if (inRoom_.empty()) return "Nobody is in a lesson.";
-  const std::string code = inRoom_;
-  stop(places_.at(code));
-  return fmt::format("{} has stopped.", code);
-}
-
-std::optional<std::vector<StudyStanding>> StudyRun::takeStandings() {
-  const std::unique_lock hold(mutex_, std::try_to_lock);
-  if (!hold || !std::exchange(isNews_, false)) return {};
-  std::vector<StudyStanding> all;
-  for (const auto& [code, place] : places_) {
-    const StudyStep step = stepOf(place.row);
-    if (!place.row.excluded.empty() || step == StudyStep::done || step == StudyStep::doneDelayed) continue;
-    const bool isInRoom = code == inRoom_;
-    all.push_back({code, wordsOf(place), isInRoom, isInRoom && place.asksUnwell, place.isUnwell});
-  }
-  return all;
-}
-
-/// Returns how far a participant is, and the arm only if the study is open.
-std::string StudyRun::wordsOf(const Place& place) const {
-  constexpr std::array<const char*, 10> kWords{"consent",      "background", "test before", "rating",
-                                               "lesson",       "test after", "ratings",     "done",
-                                               "delayed test", "done"};
-  const ParticipantRow& row = place.row;
-  std::string words = kWords.at(static_cast<std::size_t>(row.step));
-  if (stepOf(row) == StudyStep::lessons)
-    words += fmt::format(" {} of {}", row.lesson + 1, place.plan.lessons.size());
-  if (place.asksUnwell) words += ", asked how they feel";
-  if (!row.excluded.empty()) words = row.excluded;
-  return setup_.study.isOpen ? fmt::format("{} ({})", words, row.arm) : words;
-}
-
-/// Says in the log how far a participant is.
-void StudyRun::tellOperator(const Place& place) {
-  isNews_ = true;
-  log::note(fmt::format("study: {} ({}): {}", place.row.code, place.row.number, wordsOf(place)));
 }
 
 }  // namespace carom

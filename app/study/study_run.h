@@ -43,8 +43,13 @@ class StudyRun {
   StudyRun(const StudyRun&) = delete;
   StudyRun& operator=(const StudyRun&) = delete;
 
-  /// Takes a form, or none, and returns the next page. `now_s` is of any steady clock.
-  std::string page(std::string_view form, double now_s);
+  /// Takes a form, and returns the address of the page that follows. `now_s` is of any steady clock. The
+  /// address names the person by a token that is of no use once they are done, have stopped, or have typed
+  /// their code again: going back on that tablet then leads to the page that asks for a code.
+  std::string take(std::string_view form, double now_s);
+  /// Returns the page of an address, from what follows its question mark, which may be empty. Changes
+  /// nothing: it may be asked for again.
+  std::string page(std::string_view query);
 
   // For the thread of the frames, which none of these lets wait.
   std::optional<RoomWish> takeWish();
@@ -61,6 +66,8 @@ class StudyRun {
   const Study& study() const { return setup_.study; }
   /// Records that the newest game of the session is this lesson.
   void lessonBegins(const RoomWish& wish);
+  /// Notes that this lesson has explained itself. Returns false while a page is made: say it again.
+  bool lessonExplains(const RoomWish& wish);
 
  private:
   struct Place {
@@ -70,10 +77,17 @@ class StudyRun {
     std::size_t item = 0;
     double shown_s = 0.0, askedUnwell_s = 0.0;
     bool isUnwell = false, asksUnwell = false;
+    bool asksStop = false, asksOnwards = false;  ///< the page asks once before it is final
+    bool hasExplained = false;                   ///< the present lesson has
+    bool needsGuardian = false;                  ///< is under age, without the consent of a guardian
+    std::string notice;                          ///< why the last form was not taken
   };
   using Refusal = std::string;
 
+  std::string enter(const FormFields& fields, double now_s);
   std::string enter(const std::string& typed, double now_s);
+  std::string addressOf(std::string page);
+  std::string endOf(const Place& place) const;
   Refusal refusalOf(const std::string& code) const;
   std::string carryOut(const CallCode& called, double now_s);
   std::string carryOut(const RateUnwell& rated, double now_s);
@@ -81,18 +95,18 @@ class StudyRun {
   Place& placeOf(const std::string& code);
   Refusal take(Place& place, const FormFields& fields, double now_s);
   Refusal takeConsent(Place& place, const FormFields& fields);
-  void takeBackground(Place& place, const FormFields& fields);
+  Refusal takeBackground(Place& place, const FormFields& fields);
   void takeItem(Place& place, const FormFields& fields, double now_s);
   Refusal takeRatings(Place& place, std::span<const RatingQuestion> questions, const FormFields& fields,
                       double now_s);
-  void takeLesson(Place& place, double now_s);
+  void takeLesson(Place& place, const std::string& go, double now_s);
   void askUnwell(Place& place, double now_s);
   void stop(Place& place);
   void goTo(Place& place, StudyStep step);
   void enterRoom(Place& place);
   void leaveRoom(const Place& place);
-  std::string render(Place& place, const Refusal& notice, double now_s);
-  std::string renderTest(Place& place, const StudyPageFrame& frame) const;
+  std::string render(const Place& place, const std::string& token) const;
+  std::string renderTest(const Place& place, const StudyPageFrame& frame) const;
   std::vector<const Item*> itemsOf(const Place& place) const;
   void keep(Place& place, ResponseRow row, bool isChanged);
   void store();
@@ -105,6 +119,7 @@ class StudyRun {
   std::mutex mutex_;
   std::map<std::string, Place> places_;          ///< by code
   std::map<std::string, std::string> codes_;     ///< by token
+  std::map<std::string, std::string> pages_;     ///< by token: refusals and ends, of no participant
   std::deque<std::function<void()>> unwritten_;  ///< rows that wait for the disk
   std::optional<RoomWish> wish_;
   std::string inRoom_, called_;  ///< codes; called: at the console, and not yet on a page

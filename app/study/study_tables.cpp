@@ -84,8 +84,12 @@ std::vector<ParticipationRow> participationsIn(SQLite::Database& session) {
 }
 
 StudyTables::StudyTables(const std::filesystem::path& session, const Study& study, bool isAmended)
-    : database_(session.string(), SQLite::OPEN_READWRITE, kBusy_ms), title_(study.title) {
+    : lock_(session), database_(session.string(), SQLite::OPEN_READWRITE, kBusy_ms), title_(study.title) {
   database_.exec("PRAGMA secure_delete = ON");
+  if (!lock_.isTaken())
+    throw std::runtime_error(
+        fmt::format("session file {}: another session with a study has it open, expected that it is over",
+                    session.string()));
   database_.exec(kTables);
   const std::string before = sessionValue(database_, "study_sha256");
   const bool isNew = database_.execAndGet("SELECT count(*) FROM participant").getInt() == 0;
@@ -102,6 +106,7 @@ StudyTables::StudyTables(const std::filesystem::path& session, const Study& stud
   set("study_sha256", study.sha256);
   set("study", study.text);
   set("study_items", study.bankText);
+  set("study_bank", study.hasShippedBank ? "shipped" : "own");
   transaction.commit();
 }
 
@@ -137,6 +142,13 @@ void StudyTables::write(const std::string& code, const ResponseRow& r, bool isCh
     execute(change, code, r.phase, r.item, r.answer, r.confidence, r.t_s);
   }
   transaction.commit();
+}
+
+void StudyTables::forget(const std::string& code) {
+  for (const char* table : kStudyTables) {
+    SQLite::Statement row(database_, fmt::format("DELETE FROM {} WHERE code = ?", table));
+    execute(row, code);
+  }
 }
 
 void StudyTables::beginLesson(const std::string& code, const std::string& lesson, std::size_t position) {

@@ -14,7 +14,9 @@
 //   participation(code, lesson, position, first_frame)
 //       The games of the session that are lessons of a participant: those that begin with these frames.
 // The study itself stands in table session: study, study_items (texts), study_sha256, and if it was amended
-// after the first participant study_sha256_before; study_withdrew counts those whose data were deleted.
+// after the first participant study_sha256_before; study_bank: shipped or own. study_withdrew counts those
+// whose data were deleted, study_withdrawals has a random identifier of each deletion, the same in all its
+// files.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -26,6 +28,7 @@
 #include <vector>
 
 #include "app/study/study.h"
+#include "app/study/study_lock.h"
 
 namespace carom {
 
@@ -81,6 +84,8 @@ class StudyTables {
   void write(const ParticipantRow& row);
   /// Writes a response, in place of an earlier one of the same item, and if it has changed its answer too.
   void write(const std::string& code, const ResponseRow& row, bool isChanged);
+  /// Removes the rows of a person who may not take part after all.
+  void forget(const std::string& code);
   /// Records that the newest game of the session is a lesson of this participant.
   void beginLesson(const std::string& code, const std::string& lesson, std::size_t position);
 
@@ -88,6 +93,7 @@ class StudyTables {
 
  private:
   void set(const std::string& key, const std::string& value);
+  StudyLock lock_;
   SQLite::Database database_;
   std::string title_;
 };

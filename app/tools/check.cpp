@@ -349,6 +349,7 @@ void tellPlaylist(const std::filesystem::path& path, const FileOpeners& open) {
 void tellStudy(const std::filesystem::path& path) {
   const Study study = readStudy(path);
   printFindings(path, study.odd);
+  printFindings(study.consent, leftOfTemplate(readText(study.consent, InputKind::toml)));
   if (const std::string words = overdueWords(study, todayUtc()); !words.empty())
     log::warn(fmt::format("{}: {}", path.string(), words));
   fmt::print("{}: a study of {} in {}, {}\n", study.title, counted(study.participants, "participant"),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -99,6 +100,7 @@ void addCodes(CLI::App& study, int& status) {
     refuseToOverwrite(line->slips);
     if (line->html) refuseToOverwrite(*line->html);
     const std::vector<std::string> codes = newCodes(planned.participants);
+    ::umask(S_IRWXG | S_IRWXO);  // with a code one can answer in its owner's place
     WholeFile out(line->slips);
     if (line->html) WholeFile(*line->html).commit(slipsHtml(planned.title, codes));
     out.commit(slipsCsv(codes));
@@ -149,11 +151,15 @@ void addDelete(CLI::App& study, int& status) {
       throw std::runtime_error(fmt::format("'{}' is no code, expected six letters and digits as on the slip",
                                            printable(line->code)));
     bool isFound = false;
+    const std::string withdrawal = newWithdrawal();
     for (const fs::path& file : line->files) {
-      const StudyDeletion deleted = deleteParticipant(*code, file);
+      const StudyDeletion deleted = deleteParticipant(*code, file, withdrawal);
       isFound = isFound || deleted.any();
-      fmt::print("{}: removed {} rows, {} lessons with their paths, {} files\n", printable(file.string()),
-                 deleted.rows, deleted.games, deleted.files);
+      const std::string what = deleted.any()
+                                   ? fmt::format("removed {} rows, {} lessons with their paths, {} files",
+                                                 deleted.rows, deleted.games, deleted.files)
+                                   : "has nothing of this code";
+      fmt::print("{}: {}\n", printable(file.string()), what);
     }
     if (!isFound)
       throw std::runtime_error("none of these has data of this code, expected some in one of them");

@@ -24,9 +24,10 @@ class WallOverlays {
   void setScene(const Scene& scene) { cue_.setRims(rimsOf(scene)); }
   /// Gives the room to the overlays. Without it there is no HUD panel. Needs the drawing context.
   void setRoom(const RoomGeometry& room);
-  /// Sets the game's lesson for the HUD panel; empty texts mean no lesson.
-  void setLesson(const LessonWords& words, const LessonPlan& plan) {
-    for (HudPanel& panel : words_) panel.setLesson(words, plan);
+  /// Sets the game's lesson for the HUD panel; empty texts mean no lesson. `mayLeave`: it has the button that
+  /// leaves it.
+  void setLesson(const LessonWords& words, const LessonPlan& plan, bool mayLeave = true) {
+    for (HudPanel& panel : words_) panel.setLesson(words, plan, mayLeave);
   }
   /// Sets what the game offers (cave/overlay/choice_tiles.h, cave/overlay/home_arrow.h).
   void setOffers(const GameOffers& offers) { offers_ = offers; }

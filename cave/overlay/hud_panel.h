@@ -34,8 +34,10 @@ class HudPanel {
   /// Sets the wall on which the panel is drawn, and the viewers in the order of the records to follow.
   void setWall(const Wall& wall, std::span<const RoomViewer> viewers) { text_.setWall(wall, viewers); }
 
-  /// Sets the game's lesson.
-  void setLesson(const LessonWords& words, const LessonPlan& plan) { text_.setLesson(words, plan); }
+  /// Sets the game's lesson, and whether it has the button that leaves it.
+  void setLesson(const LessonWords& words, const LessonPlan& plan, bool mayLeave = true) {
+    text_.setLesson(words, plan, mayLeave);
+  }
 
   /// Updates the panel from the frame.
   void follow(const SeenFrame& seen);

@@ -152,21 +152,22 @@ HudChip chip(Kind kind, std::string words, std::uint8_t number = 0) {
   return {{kind, number}, std::move(words)};
 }
 
-/// Adds what to press, and at the right, always, the way out.
-void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudChip> chips, Lines& lines) {
+/// Adds what to press, and at the right the way out.
+void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudChip> chips, bool mayLeave,
+                Lines& lines) {
   if (seen.record.views.frozen) chips.push_back(chip(Kind::unfreeze, texts::lesson::kTimeGoesOn));
   HudChip leave{actionOf(Choice::play), texts::lesson::kLeave};
   leave.atRight = true;
-  chips.push_back(leave);
+  if (mayLeave) chips.push_back(leave);
   lines.addChips(words, chips);
 }
 
-void addQuestion(const SeenFrame& seen, const LessonWords& lesson, Lines& lines) {
+void addQuestion(const SeenFrame& seen, const LessonWords& lesson, bool mayLeave, Lines& lines) {
   lines.wrap(lesson.question, texts::lesson::kQuestion);
   constexpr auto& kNumbers = texts::lesson::kAnswerNumbers;
   for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i)
     lines.wrap(lesson.answers[i], kNumbers[i], false, {Kind::choose, static_cast<std::uint8_t>(i + 1)});
-  addButtons(seen, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, lines);
+  addButtons(seen, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, mayLeave, lines);
 }
 
 /// Adds the readings of the stopwatches in one line, behind other words.
@@ -212,12 +213,12 @@ std::string paceWords(const LessonPlan& plan) {
 
 /// Adds the lesson's text for its phase, and how to continue.
 void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
-               Lines& lines) {
+               bool mayLeave, Lines& lines) {
   switch (seen.record.lesson.phase) {
     case LessonPhase::none:
       return;
     case LessonPhase::asks:
-      return addQuestion(seen, lesson, lines);
+      return addQuestion(seen, lesson, mayLeave, lines);
     case LessonPhase::shows:
       lines.wrap(lesson.todo, texts::lesson::kTryThis);
       lines.wrap(lesson.notice, texts::lesson::kLookFor);
@@ -226,7 +227,7 @@ void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPla
       addObservers(seen, plan, lines);
       return addButtons(
           seen, {}, {chip(Kind::again, texts::lesson::kAgain), chip(Kind::goOn, texts::lesson::kExplanation)},
-          lines);
+          mayLeave, lines);
     case LessonPhase::explains:
       lines.wrap(lesson.number);
       addAnswer(lesson, seen.record.lesson.answer, lines);
@@ -235,7 +236,7 @@ void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPla
       return addButtons(
           seen, {},
           {chip(Kind::goOn, texts::lesson::kBackToScene), chip(Kind::again, texts::lesson::kAskAgain)},
-          lines);
+          mayLeave, lines);
   }
 }
 
@@ -296,10 +297,10 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
 }  // namespace
 
 void describe(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
-              std::size_t letters, std::vector<HudLine>& words) {
+              std::size_t letters, std::vector<HudLine>& words, bool mayLeave) {
   Lines lines(words, letters);
   lines.wrap(seen.self.notice.words(), {}, true);
-  addLesson(seen, lesson, plan, viewers, lines);
+  addLesson(seen, lesson, plan, viewers, mayLeave, lines);
   if (seen.record.lesson.phase == LessonPhase::none) {
     addScore(seen, viewers, lines);
     addEffects(seen.record.switches, lines);
@@ -314,9 +315,10 @@ void HudText::setWall(const Wall& wall, std::span<const RoomViewer> viewers) {
   viewers_.assign(viewers.begin(), viewers.end());
 }
 
-void HudText::setLesson(const LessonWords& words, const LessonPlan& plan) {
+void HudText::setLesson(const LessonWords& words, const LessonPlan& plan, bool mayLeave) {
   lesson_ = words;
   plan_ = plan;
+  mayLeave_ = mayLeave;
   tenths_s_ = -1;
 }
 
@@ -332,7 +334,7 @@ bool HudText::follow(const SeenFrame& seen) {
   lessonState_ = seen.record.lesson;
   notice_ = seen.self.notice;
   isBand_ = seen.record.lesson.phase != LessonPhase::none;
-  describe(seen, lesson_, plan_, viewers_, isBand_ ? bandLetters_ : kLineLetters, lines_);
+  describe(seen, lesson_, plan_, viewers_, isBand_ ? bandLetters_ : kLineLetters, lines_, mayLeave_);
   return true;
 }
 

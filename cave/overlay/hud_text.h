@@ -22,17 +22,18 @@ namespace carom {
 /// (cave/overlay/room_overlay.h) should look like. The text depends on the record and the scenario alone, so
 /// all nodes write the same. `lines` is empty if there is no text. `viewers` are those of the record, in its
 /// order; where there are several, the score is each one's, and the clocks compare theirs with that of the
-/// first.
+/// first. `mayLeave`: a lesson has the button that leaves it.
 void describe(const SeenFrame& seen, const LessonWords& words, const LessonPlan& plan,
-              std::span<const RoomViewer> viewers, std::size_t letters, std::vector<HudLine>& lines);
+              std::span<const RoomViewer> viewers, std::size_t letters, std::vector<HudLine>& lines,
+              bool mayLeave = true);
 
 /// Follows the frames and keeps the lines up to date.
 class HudText {
  public:
   /// Sets the wall that shows them, and the viewers in the order of the records to follow.
   void setWall(const Wall& wall, std::span<const RoomViewer> viewers);
-  /// Sets the game's lesson.
-  void setLesson(const LessonWords& words, const LessonPlan& plan);
+  /// Sets the game's lesson, and whether it has the button that leaves it.
+  void setLesson(const LessonWords& words, const LessonPlan& plan, bool mayLeave = true);
 
   /// Updates the lines ten times a second, and whenever the text about the views, the lesson or the latest
   /// notice changes. Returns whether it did.
@@ -51,7 +52,7 @@ class HudText {
   LessonPlan plan_;
   std::vector<RoomViewer> viewers_;
   std::size_t bandLetters_ = kLineLetters;
-  bool isBand_ = false;
+  bool isBand_ = false, mayLeave_ = true;
   std::int64_t tenths_s_ = -1;  ///< time of the last description, in tenths
 };
 

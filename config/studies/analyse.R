@@ -41,7 +41,15 @@ readStudy <- function(folder) {
   tests$phase <- factor(tests$phase, kLevels[kLevels %in% tests$phase])
   tests$arm <- factor(tests$arm, unique(people$arm[people$participant %in% kept]))
   ratings <- responses[responses$phase == "rating" & responses$participant %in% kept, ]
-  list(tests = tests, people = people, ratings = ratings, facts = facts)
+  behaviour <- readTable(folder, "behaviour.csv", FALSE)
+  list(tests = tests, people = people, ratings = ratings, facts = facts, unexplained = unexplainedBy(behaviour[behaviour$participant %in% kept, ]))
+}
+
+# Returns the people who had a lesson that did not explain itself, in no attempt at it.
+unexplainedBy <- function(behaviour) {
+  if (is.null(behaviour) || !nrow(behaviour) || is.null(behaviour$explained)) return(character(0))
+  explained <- tapply(behaviour$explained == "1", list(behaviour$participant, behaviour$lesson), any)
+  rownames(explained)[apply(!explained, 1, any, na.rm = TRUE)]
 }
 
 fact <- function(study, name, otherwise = "") {
@@ -63,7 +71,8 @@ scoresOf <- function(tests) {
 
 # ---- effects
 
-hedgesJ <- function(df) 1 - 3 / (4 * df - 1)
+# The correction for small samples (L. V. Hedges 1981). With one degree of freedom it is 0: there is no g.
+hedgesJ <- function(df) if (df < 2) NA else 1 - 3 / (4 * df - 1)
 ratio <- function(a, b) ifelse(b > 0, a / b, NA)
 
 # The statistics of one arm, from matrices of the scores before and after: a column for each (resampled) set of people.
@@ -106,8 +115,12 @@ effectsOf <- function(scores, seed, times = kBootstraps) {
   found <- lapply(arms, function(of) armStatistics(matrix(of$pre), matrix(of$post)))
   drawn <- lapply(arms, resampled, times)
   rows <- list()
-  add <- function(outcome, arm, against, estimate, draws, n)
-    rows[[length(rows) + 1]] <<- data.frame(outcome, arm, against, estimate, low = interval(draws)[1], high = interval(draws)[2], n)
+  add <- function(outcome, arm, against, estimate, draws, n) {
+    ends <- interval(draws)
+    # So few people that all samples that have a g have the same one: it says nothing.
+    if (startsWith(outcome, "g ") && isTRUE(ends[1] == ends[2])) estimate <- ends <- c(NA, NA)
+    rows[[length(rows) + 1]] <<- data.frame(outcome, arm, against, estimate = estimate[1], low = ends[1], high = ends[2], n)
+  }
   for (arm in names(arms)) {
     for (name in c("pre", "post", "change", "gain", "gains", "g"))
       add(name, arm, "", found[[arm]][[name]], drawn[[arm]][[name]], nrow(arms[[arm]]))
@@ -164,14 +177,15 @@ kr20 <- function(matrix) {
 
 correlation <- function(a, b) if (length(a) < 3 || sd(a) == 0 || sd(b) == 0) NA else cor(a, b)
 
-# Returns a row for each item and form: difficulty before and after, and the correlation with the rest of its test.
+# Returns a row for each item and form: difficulty and the correlation with the rest of its test, before and after; n counts people.
 itemStatistics <- function(tests) {
   total <- ave(tests$right, tests$participant, tests$phase, FUN = sum)
   tests$rest <- total - tests$right
   rows <- lapply(split(tests, tests$itemForm), function(of) {
     share <- function(phase) if (any(of$phase == phase)) mean(of$right[of$phase == phase]) else NA
-    data.frame(item = of$item[1], form = of$form[1], concept = of$concept[1], n = nrow(of), before = share("pre"), after = share("post"),
-               discrimination = correlation(of$right, of$rest))
+    apart <- function(phase) correlation(of$right[of$phase == phase], of$rest[of$phase == phase])
+    data.frame(item = of$item[1], form = of$form[1], concept = of$concept[1], n = length(unique(of$participant)), before = share("pre"), after = share("post"),
+               apartBefore = apart("pre"), apartAfter = apart("post"))
   })
   do.call(rbind, rows)
 }
@@ -327,13 +341,19 @@ modelSection <- function(found) {
   c(out, if (length(found$model$words)) paste0("<p class=\"note\">", esc(found$model$words), "</p>"))
 }
 
+# Returns whose items these are, and what is known of them. The fact is missing in exports of older programs.
+bankWords <- function(study) switch(fact(study, "bank"),
+  shipped = "The items of the shipped bank are <b>unvalidated</b>: these numbers describe answers to them, not understanding.",
+  own = "The items are of the study's own bank: whether they are validated is not known here.",
+  "If the items are those of the shipped bank, they are <b>unvalidated</b>: these numbers describe answers to them, not understanding.")
+
 itemsSection <- function(study) {
   tests <- study$tests
   items <- itemStatistics(tests)
   alpha <- reliability(tests)
-  c("<h2>Items</h2>", "<p>The items of the shipped bank are unvalidated. Difficulty is the share of right answers; discrimination is the point-biserial correlation with the rest of the test.</p>",
-    htmlTable(c("item", "form", "concept", "n", "right before", "right after", "discrimination"),
-      list(esc(items$item), esc(items$form), esc(items$concept), items$n, num(items$before), num(items$after), num(items$discrimination))),
+  c("<h2>Items</h2>", "<p>", bankWords(study), " Difficulty is the share of right answers; discrimination is the point-biserial correlation with the rest of the same test.</p>",
+    htmlTable(c("item", "form", "concept", "people", "right before", "right after", "discrimination before", "discrimination after"),
+      list(esc(items$item), esc(items$form), esc(items$concept), items$n, num(items$before), num(items$after), num(items$apartBefore), num(items$apartAfter))),
     "<p>Reliability (KR-20, which is &alpha; of right and wrong):</p>",
     htmlTable(c("form", "test", "people", "KR-20"), list(esc(alpha$form), kPhaseWords[alpha$phase], alpha$n, num(alpha$kr20))))
 }
@@ -372,7 +392,12 @@ peopleSection <- function(study) {
   counts <- vapply(arms, function(arm) sum(people$arm == arm & people$excluded == ""), 1L)
   out <- c(out, htmlTable(c("arm", "people in the analysis"), list(esc(arms), counts)))
   left <- people[people$excluded != "", ]
-  if (nrow(left)) out <- c(out, paste0("<p>Left out by rule: ", esc(paste0(left$participant, " (", left$excluded, ")", collapse = ", ")), ".</p>"))
+  words <- c(stopped = "stopped", unfinished = "had not finished")
+  for (rule in unique(left$excluded)) {
+    of <- left$participant[left$excluded == rule]
+    out <- c(out, paste0("<p>Left out by rule: ", length(of), " ", esc(if (rule %in% names(words)) words[rule] else rule), ": ", esc(paste(of, collapse = ", ")), ".</p>"))
+  }
+  if (length(study$unexplained)) out <- c(out, paste0("<p>", length(study$unexplained), " of those in the analysis had a lesson that did not explain itself: ", esc(paste(study$unexplained, collapse = ", ")), ".</p>"))
   withdrew <- suppressWarnings(as.integer(fact(study, "withdrew", "0")))
   if (!is.na(withdrew) && withdrew > 0) out <- c(out, paste0("<p>", withdrew, " withdrew: their data were deleted.</p>"))
   out
@@ -385,7 +410,7 @@ pageOf <- function(study, found, describeOnly) {
   c("<!DOCTYPE html>", paste0("<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>", title, "</title><style>", kStyle, "</style></head><body>"),
     if (describeOnly) paste0("<p class=\"note\"><b>Description only:</b> fewer than ", kFewest, " people in an arm. No p-values; ask people why they answered as they did.</p>"),
     paste0("<h1>", title, "</h1>"),
-    "<p class=\"note\">The items of the shipped bank are <b>unvalidated</b>: these numbers describe answers to them, not understanding.</p>",
+    paste0("<p class=\"note\">", bankWords(study), "</p>"),
     if (primary != "") paste0("<p>Primary outcome, fixed before the first participant: <b>", esc(primary), "</b>. It is not corrected; all others are, by Holm's method.",
       if (!isTested && !describeOnly) " This program has no test of its own for it: everything here is corrected." else "", "</p>"),
     if (fact(study, "sha256") != "") paste0("<p>SHA-256 of study and items: <code>", esc(fact(study, "sha256")), "</code></p>"),

@@ -4,6 +4,8 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include "cave/texts/texts.h"
+
 namespace carom {
 namespace {
 
@@ -116,6 +118,23 @@ TEST_F(DirectorTest, TheNextVisitorBeginsWithTheFirstGame) {
 // A frame a second. After 60 s without anybody, games attract people: the key at 100 s is that of somebody
 // new. The patience counts from the latest sign of life, and a room that nobody has entered since is not
 // welcomed again.
+TEST_F(DirectorTest, InAStudyNobodyLeavesTheirLesson) {
+  const std::string own = "lesson.toml";
+  leader_.allowOnly([&](const std::string& file) { return file == own; });
+  for (const int key : {GLFW_KEY_F5, GLFW_KEY_F6, GLFW_KEY_F7, GLFW_KEY_F8}) {
+    EXPECT_EQ(next(leader_, pressing(key)).file, "") << key;
+    EXPECT_NE(said_.find("is locked while people take part"), std::string::npos) << said_;
+    EXPECT_EQ(source_.given, Commands{TellPerson{texts::message::kNoSuchKey}}) << "who presses it is told";
+  }
+  leader_.inbox().emplace_back(PlayScenario{"another.toml"});  // at the console
+  EXPECT_EQ(next(leader_).file, "");
+  source_.byHand = PlayScenario{"another.toml"};
+  EXPECT_EQ(next(leader_).file, "");
+  EXPECT_EQ(next(leader_).file, "") << "the hand's button holds from the next frame on";
+  leader_.inbox().emplace_back(PlayScenario{own, true});  // of the study
+  EXPECT_EQ(next(leader_).file, own);
+}
+
 TEST_F(DirectorTest, AnAbandonedSessionWelcomesTheNextVisitorOnce) {
   OperatorSettings settings;
   settings.playing = "first.toml";

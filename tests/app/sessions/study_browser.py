@@ -43,6 +43,9 @@ class Tablet(BrowserPage):
         """Takes the first of each group of answers."""
         self.run("for (const group of document.querySelectorAll('fieldset')) group.querySelector('input').click()")
 
+    def shows_text(self, words):
+        self.until(lambda: self.run("return document.readyState === 'complete' && document.body.innerText.includes(arguments[0])", words), words)
+
     def shows(self, title):
         assert self.title() == title, f"{title}: {self.run('return document.body.innerText')}"
 
@@ -63,6 +66,14 @@ def take_part(tablet, code):
     tablet.tap("next")
     tablet.shows("About you")
     faults += tablet.faults("3-background")
+    tablet.first_answers()  # under 18
+    tablet.tap("next")
+    tablet.shows("Before you begin")
+    tablet.shows_text("consent of a parent or guardian on paper is needed")
+    faults += tablet.faults("3-guardian")
+    tablet.mark("part", "yes")
+    tablet.mark("guardian", "yes")
+    tablet.tap("next")
     tablet.first_answers()
     tablet.tap("next")
     take_test(tablet, faults, "4-before")
@@ -73,7 +84,29 @@ def take_part(tablet, code):
     tablet.driver.refresh()  # a form that is sent twice does nothing twice
     faults += tablet.faults("6-in-the-room")
     tablet.tap("next")
-    take_test(tablet, faults, "7-after")
+    tablet.shows("Go on all the same?")
+    faults += tablet.faults("7-not-explained")
+    tablet.tap("anyway")
+    # Back and reload show a page of the study, of this person while they take part, and send no form again.
+    text = tablet.run("return document.body.innerText")
+    assert "Question 1 of 18" in text, text
+    tablet.driver.back()
+    tablet.shows_text("Question 1 of 18")
+    tablet.driver.refresh()
+    tablet.shows_text("Question 1 of 18")
+    take_test(tablet, faults, "8-after")
+    for rating in "unwell-after", "hard", "there":
+        tablet.mark(rating, "1")
+    tablet.tap("rate")
+    tablet.shows_text("For today this was all")
+    tablet.driver.refresh()
+    tablet.shows_text("For today this was all")
+    # The address of the visit is worth nothing any more: whoever has the tablet next goes back, and the server gives the page that asks
+    # for a code. (A browser may show a page from its own memory until it is reloaded.)
+    for _ in range(3):
+        tablet.driver.back()
+        tablet.driver.refresh()
+        tablet.shows_text("The code of your slip")
     return faults
 
 

@@ -56,23 +56,39 @@ tests <- data.frame(participant = rep(sprintf("p%d", 1:9), 2), phase = rep(c("pr
                     sure = c(rep(4, 8), 1, rep(1, 7), 4, 4))
 sure <- sureAndWrong(tests) # 7 lost it, 1 got it: p = 2 (1 + 8) / 2^8
 expect(sure$before == 8 && sure$after == 2 && sure$lost == 7 && sure$got == 1 && abs(sure$p - 18 / 256) < 1e-12, "McNemar's test", unlist(sure))
+two <- armStatistics(matrix(c(20, 40)), matrix(c(50, 60)))
+expect(is.na(two$g) && num(two$g) == "&ndash;", "Hedges' g of two people, of which nothing is known", two$g)
+small <- data.frame(participant = letters[1:4], arm = factor(c("a", "a", "b", "b")), pre = c(20, 40, 20, 40), post = c(50, 70, 60, 80))
+g <- effectsOf(small, 1, 200); g <- g[g$outcome == "g between arms", ] # each arm changes alike: no spread, no g
+expect(nrow(g) == 1 && is.na(g$estimate) && is.na(g$low), "g between arms of an interval without width", unlist(g))
+small$post <- c(50, 71, 60, 80) # one pair differs: the samples that have a spread have the same g, or none
+g <- effectsOf(small, 1, 200); g <- g[g$outcome == "g between arms", ]
+expect(is.na(g$estimate) || g$low < g$high, "g between arms", unlist(g))
+items <- data.frame(participant = rep(letters[1:6], 4), phase = rep(rep(c("pre", "post"), each = 6), 2), form = "A", concept = "k", item = rep(c("i", "j"), each = 12))
+items$itemForm <- paste0(items$item, "-A")
+items$right <- c(0, 0, 0, 1, 1, 1,  0, 1, 0, 1, 0, 1,  0, 0, 1, 1, 1, 1,  1, 0, 1, 0, 1, 0) # i before, i after, j before, j after
+found <- itemStatistics(items)
+expect(all(found$n == 6), "the items' table counts people", found$n)
+expect(abs(found$apartBefore[1] - cor(items$right[1:6], items$right[13:18])) < 1e-12 && abs(found$apartAfter[1] + 1) < 1e-12, "discrimination of each test", unlist(found[1, ]))
+seen <- data.frame(participant = c("p", "p", "q", "q", "r"), lesson = c("l", "l", "l", "m", "l"), explained = c("0", "1", "1", "0", "1"))
+expect(identical(unexplainedBy(seen), "q"), "people whose lesson did not explain itself", unexplainedBy(seen))
 expect(num(-1.5) == "&minus;1.50" && esc("<a \"&\">") == "&lt;a &quot;&amp;&quot;&gt;", "words of the page")
 
 # Whole reports.
 work <- tempfile("carom-report-")
-report <- function(name, people, arms = c("standing", "walking"), facts = NULL, change = identity) {
+report <- function(name, people, arms = c("standing", "walking"), facts = NULL, change = identity, ...) {
   set.seed(7)
   folder <- file.path(work, name)
   dir.create(work, showWarnings = FALSE)
   rows <- change(madeUpTests(people, kGain, kBetween, arms = arms))
-  if (is.null(facts)) writeMadeUp(folder, rows) else writeMadeUp(folder, rows, facts)
+  if (is.null(facts)) writeMadeUp(folder, rows, ...) else writeMadeUp(folder, rows, facts, ...)
   began <- proc.time()["elapsed"]
   analyse(folder)
   list(page = paste(readLines(file.path(folder, "report.html"), warn = FALSE), collapse = "\n"), results = read.csv(file.path(folder, "results.csv")), seconds = proc.time()["elapsed"] - began)
 }
 says <- function(page, ...) for (words in c(...)) expect(grepl(words, page, fixed = TRUE), "the report does not say:", words)
-few <- report("few", 8)
-says(few$page, "Description only", "1 withdrew")
+few <- report("few", 11, excluded = c(rep("", 8), "unfinished", "stopped", "unfinished"))
+says(few$page, "Description only", "1 withdrew", "1 stopped: P0010", "2 had not finished: P0009, P0011")
 expect(all(is.na(few$results$p)), "p-values of 8 people")
 many <- report("many", 48)
 says(many$page, "<h2>People</h2>", "<h2>Each arm</h2>", "<h2>Between the arms</h2>", "<h2>Mixed model</h2>", "<h2>Items</h2>", "<h2>Sure and wrong</h2>", "<h2>Confidence and correctness</h2>",
@@ -82,8 +98,10 @@ expect(!grepl("(src|href)=|url\\(|@import|https?:", many$page), "the report asks
 expect(sum(many$results$primary) == 1 && is.na(many$results$p_holm[many$results$primary == 1]), "one primary outcome, not corrected")
 others <- many$results[!is.na(many$results$p) & many$results$primary == 0, ]
 expect(all(others$p_holm >= others$p) && nrow(others) > 3, "all others are corrected")
-single <- report("single", 24, "class", c(title = "One <arm>", seed = "1", primary = "gain"))
-says(single$page, "One &lt;arm&gt;")
+single <- report("single", 24, "class", c(title = "One <arm>", seed = "1", primary = "gain", bank = "own"))
+says(single$page, "One &lt;arm&gt;", "The items are of the study's own bank")
+expect(!grepl("unvalidated", single$page), "says of another bank that it is unvalidated")
+says(many$page, "The items of the shipped bank are <b>unvalidated</b>")
 expect(any(single$results$primary == 1 & single$results$outcome == "odds ratio phasepost"), "the gain of one arm is the primary outcome")
 alike <- report("alike", 24, change = function(rows) transform(rows, correct = as.integer((as.integer(factor(item)) + as.integer(factor(participant)) * 7 + (phase == "post")) %% 2)))
 says(alike$page, "Singular fit")

@@ -32,7 +32,7 @@ asRead <- function(rows) {
   rows
 }
 
-writeMadeUp <- function(folder, rows, facts = c(title = "Made up", seed = "1", primary = "gain between arms", withdrew = "1")) {
+writeMadeUp <- function(folder, rows, facts = c(title = "Made up", seed = "1", primary = "gain between arms", bank = "shipped", withdrew = "1"), excluded = "") {
   dir.create(folder, showWarnings = FALSE)
   ratings <- do.call(rbind, lapply(unique(rows$participant), function(p) {
     one <- rows[rows$participant == p, ][1, ]
@@ -41,6 +41,6 @@ writeMadeUp <- function(folder, rows, facts = c(title = "Made up", seed = "1", p
   }))
   write.csv(rbind(rows, ratings), file.path(folder, "responses.csv"), row.names = FALSE, quote = FALSE)
   people <- unique(rows[c("study", "participant", "arm", "order_row")])
-  write.csv(cbind(people, excluded = ""), file.path(folder, "participants.csv"), row.names = FALSE, quote = FALSE)
+  write.csv(cbind(people, excluded = excluded), file.path(folder, "participants.csv"), row.names = FALSE, quote = FALSE)
   write.csv(data.frame(key = names(facts), value = facts), file.path(folder, "study.csv"), row.names = FALSE)
 }

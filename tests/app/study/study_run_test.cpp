@@ -53,10 +53,16 @@ class StudyVisit {
     std::string form = fields;
     for (std::sregex_iterator it(page_.begin(), page_.end(), hidden), end; it != end; ++it)
       form += "&" + (*it)[1].str() + "=" + (*it)[2].str();
-    return page_ = run_->page(form, now_s_ += 10.0);
+    return goTo(run_->take(form, now_s_ += 10.0));
+  }
+  /// Asks for the page of an address, as a browser does.
+  const std::string& goTo(const std::string& address) {
+    address_ = address;
+    const std::size_t query = address.find('?');
+    return page_ = run_->page(query == std::string::npos ? "" : address.substr(query + 1));
   }
   const std::string& enter(const std::string& code) {
-    page_ = run_->page("", now_s_);
+    goTo("/study");
     return send("go=code&code=" + code);
   }
   bool says(const std::string& words) const { return page_.find(words) != std::string::npos; }
@@ -102,7 +108,7 @@ class StudyVisit {
   std::vector<std::string> codes_;
   std::unique_ptr<StudyTables> tables_;
   std::unique_ptr<StudyRun> run_;
-  std::string page_, day_ = "2026-11-23";
+  std::string page_, address_, day_ = "2026-11-23";
   int tokens_ = 100;
   double now_s_ = 0.0;
 };
@@ -134,6 +140,7 @@ TEST(StudyRun, LeadsFromTheCodeToTheLastTest) {
     EXPECT_EQ(wish->position, lesson + 1);
     EXPECT_FALSE(run.run_->takeWish());
     run.run_->lessonBegins(*wish);
+    EXPECT_TRUE(run.run_->lessonExplains(*wish));
     run.send("go=next");
   }
   ASSERT_TRUE(run.run_->takeWish()->code.empty()) << "the room waits during the test";
@@ -198,8 +205,17 @@ TEST(StudyRun, RefusesCodesThatCannotBeUsed) {
   EXPECT_TRUE(run.says("were deleted"));
   run.enter(run.codes_[0]);
   run.send("go=next&part=yes");
+  run.send("go=stop-now");
+  EXPECT_TRUE(run.says("About you")) << "stopped without having been asked";
   run.send("go=stop");
-  EXPECT_TRUE(run.says("You have stopped"));
+  ASSERT_TRUE(run.says("Do you want to stop?"));
+  EXPECT_TRUE(run.says("is kept, but left out of the analysis; with the code of your slip")) << run.page_;
+  run.send("go=stay");
+  ASSERT_TRUE(run.says("About you"));
+  EXPECT_EQ(run.row(run.codes_[0]).excluded, "");
+  run.send("go=stop");
+  run.send("go=stop-now");
+  EXPECT_TRUE(run.says("You have stopped. What you answered so far is kept, but left out of the analysis."));
   EXPECT_EQ(run.row(run.codes_[0]).excluded, "stopped");
   run.enter(run.codes_[0]);
   EXPECT_TRUE(run.says("its participant stopped"));
@@ -288,7 +304,7 @@ TEST(StudyRun, WhoFeelsUnwellIsOfferedToStopAndOneIsInTheRoomAtATime) {
   ASSERT_TRUE(run.says("Do you want to stop?"));
   run.send("go=next");
   ASSERT_TRUE(run.says("Do you want to stop?")) << "a page of before does not pass over the offer";
-  run.send("go=stop");
+  run.send("go=stop-now");
   EXPECT_TRUE(run.says("You have stopped"));
   EXPECT_TRUE(run.run_->takeWish()->code.empty());
   run.page_ = second;
@@ -319,7 +335,7 @@ class Standings {
 TEST(StudyRun, ACodeThatIsTypedAtTheConsoleOpensTheNextPageThatAsks) {
   StudyVisit run;
   const std::string code = run.codes_[1];
-  run.page_ = run.run_->page("", run.now_s_);
+  run.goTo("/study");
   run.send("go=called&code=");
   EXPECT_TRUE(run.says("No code has been typed at the console")) << run.page_;
   EXPECT_EQ(said(run, CallCode{"AAAAAB"}), "This is no code: a letter of it is mistyped.");
@@ -335,7 +351,7 @@ TEST(StudyRun, ACodeThatIsTypedAtTheConsoleOpensTheNextPageThatAsks) {
   ASSERT_TRUE(run.says("Before you begin")) << run.page_;
   run.send("go=next&part=yes");
   EXPECT_EQ(run.row(code).code, code);
-  run.page_ = run.run_->page("", run.now_s_);
+  run.goTo("/study");
   run.send("go=called&code=");
   EXPECT_TRUE(run.says("No code has been typed at the console")) << "one order lets two people in";
   run.send("go=stop");
@@ -395,6 +411,90 @@ TEST(StudyRun, WhoIsInALessonIsAskedEveryTenMinutesHowTheyFeel) {
   EXPECT_EQ(run.responses(code, "rating").back().answer, "2");
 }
 
+TEST(StudyRun, WhoIsUnderAgeNeedsTheConsentOfAGuardian) {
+  StudyVisit run;
+  const std::string code = run.codes_[0];
+  Standings standings;
+  run.enter(code);
+  run.send("go=next&part=yes");
+  EXPECT_EQ(run.row(code).code, code);
+  run.send("go=next&age_band=under-18");
+  ASSERT_TRUE(run.says("Before you begin")) << run.page_;
+  EXPECT_TRUE(
+      run.says("the consent of a parent or guardian on paper is needed. Please speak to the person who"));
+  ASSERT_TRUE(standings.of(run, code));
+  EXPECT_EQ(standings.of(run, code)->words,
+            "consent, under 18 without the consent of a guardian: speak with them");
+  EXPECT_EQ(run.row(code).code, "") << "what is stored of a minor without that consent";
+  run.send("go=next&part=yes");
+  run.send("go=next&age_band=under-18");
+  ASSERT_TRUE(run.says("Before you begin")) << "the second time";
+  run.send("go=next&part=yes&guardian=yes");
+  run.send("go=next&age_band=under-18");
+  EXPECT_TRUE(run.says("Question 1 of 18")) << run.page_;
+  EXPECT_TRUE(run.row(code).allows("guardian"));
+  EXPECT_EQ(standings.of(run, code)->words, "test before");
+  run.enter(run.codes_[1]);
+  run.send("go=next&part=yes");
+  run.send("go=next&age_band=18-24");
+  EXPECT_TRUE(run.says("Question 1 of 18"));
+}
+
+TEST(StudyRun, BeforeALessonHasExplainedItselfThePageAsksOnce) {
+  StudyVisit run;
+  run.beginWith(run.codes_[0]);
+  const RoomWish first = run.run_->takeWish().value();
+  run.send("go=anyway");
+  ASSERT_TRUE(run.says("Lesson 1 of 2")) << "gone on without having been asked";
+  run.send("go=next");
+  ASSERT_TRUE(run.says("The lesson has not explained itself yet"));
+  run.send("go=next");
+  ASSERT_TRUE(run.says("The lesson has not explained itself yet")) << "a form of before that is sent twice";
+  run.send("go=stay");
+  ASSERT_TRUE(run.says("Lesson 1 of 2"));
+  EXPECT_FALSE(run.run_->takeWish());
+  run.send("go=next");
+  run.send("go=anyway");
+  ASSERT_TRUE(run.says("Lesson 2 of 2"));
+  const RoomWish second = run.run_->takeWish().value();
+  EXPECT_TRUE(run.run_->lessonExplains(first)) << "which is over";
+  run.send("go=next");
+  ASSERT_TRUE(run.says("The lesson has not explained itself yet")) << "the first lesson's explanation";
+  EXPECT_TRUE(run.run_->lessonExplains(second));
+  run.send("go=next");
+  EXPECT_TRUE(run.says("Question 1 of 18")) << run.page_;
+}
+
+TEST(StudyRun, APageThatIsAskedForAgainIsTheSameAndItsAddressEndsWithTheVisit) {
+  StudyVisit run;
+  const std::string code = run.codes_[0];
+  run.enter(run.codes_[0].substr(1));
+  const std::string refused = run.page_;
+  EXPECT_TRUE(run.says("a letter of it is mistyped"));
+  EXPECT_EQ(run.goTo(run.address_), refused);
+  run.enter(code);
+  const std::string address = run.address_;
+  run.send("go=next&part=yes");
+  run.send("go=next");
+  const Item first = *run.run_->study().bank.ofForm(run.plan(code).forms[0])[0];
+  run.now_s_ += 5.0;
+  run.goTo(address);  // which takes nothing from the time
+  run.send("go=next&confidence=1&answer=" + first.answers[0].id);
+  EXPECT_DOUBLE_EQ(run.responses(code, "pre").at(0).seconds, 15.0);
+  EXPECT_EQ(run.address_, address);
+  const std::string second = run.page_;
+  EXPECT_EQ(run.goTo(address), second);
+  run.send("go=stop");
+  run.send("go=stop-now");
+  EXPECT_NE(run.address_, address);
+  EXPECT_TRUE(run.says("You have stopped"));
+  run.goTo(run.address_);
+  EXPECT_TRUE(run.says("You have stopped"));
+  run.goTo(address);
+  EXPECT_TRUE(run.says("The code of your slip"))
+      << "the address of somebody who has stopped still shows their page";
+}
+
 TEST(StudyRun, WhatTheConsoleKeptLastIsWrittenWhenTheSessionEnds) {
   StudyVisit run;
   const std::string code = run.codes_[0];
@@ -445,7 +545,8 @@ TEST(StudyRun, HostileFormsChangeNothing) {
         std::string("token=101&step=-1"), std::string("token=101&step=99999999999999999999&go=next"),
         std::string("code=%00%ff%zz&go=code"), std::string("token=101&step=5&go=next&answer=c"),
         std::string("\xff\xfe=\x01")}) {
-    run.run_->page(form, 1.0);
+    run.run_->take(form, 1.0);
+    run.run_->page(form);
     EXPECT_TRUE(run.row(run.codes_[0]).code.empty()) << form;
   }
   run.page_ = page;

@@ -128,6 +128,21 @@ def wait_for(what, test, for_s=60):
         time.sleep(0.05)
 
 
+def stop(room, page):
+    """Stops: the page asks once."""
+    page = room.send(page, go="stop")
+    assert "Do you want to stop?" in page.text and "is kept, but left out of the analysis" in page.text, page.text
+    page = room.send(page, go="stop-now")
+    assert "You have stopped. What you answered so far is kept, but left out of the analysis" in page.text, page.text
+
+
+def go_on(room, page):
+    """Goes on from a lesson that has not explained itself, of which the page asks once."""
+    page = room.send(page, go="next")
+    assert "The lesson has not explained itself yet" in page.text, page.text
+    return room.send(page, go="anyway")
+
+
 def take_part(room, code, person):
     number = person["number"]
     page = room.send(None, go="code", code=code.lower())
@@ -136,7 +151,7 @@ def take_part(room, code, person):
     page = room.send(page, go="next", age_band="18-24", physics_years="1-2", relativity="read", games_hours="0", language="English", gender="woman")
     page = take_test(room, page, person, number, "pre")
     if number == PEOPLE:
-        assert "You have stopped" in room.send(page, go="stop").text
+        stop(room, page)
         return
     page = room.send(page, go="next", **{"unwell-before": "1"})
     for place, lesson in enumerate(person["lessons"]):
@@ -144,7 +159,7 @@ def take_part(room, code, person):
         wait_for(f"lesson {lesson} of {code}", lambda: query("SELECT 1 FROM participation WHERE code = ? AND lesson = ?", code, lesson))
         first = query("SELECT first_frame FROM participation WHERE code = ? AND lesson = ?", code, lesson)[0][0]
         wait_for("a second of it", lambda: (query("SELECT max(display_s) - min(display_s) FROM frame WHERE number >= ?", first)[0][0] or 0) > 0.5)
-        page = room.send(page, go="next")
+        page = go_on(room, page)
     page = take_test(room, page, person, number, "post")
     page = room.send(page, go="next", **{"unwell-after": "2", "hard": "4", "there": "7"})
     assert "For today this was all" in page.text, page.text
@@ -257,6 +272,8 @@ def check_behaviour(folder, arms):
         assert abs(float(row["beta_mean"]) - mean) < 1e-5 and abs(float(row["beta_most"]) - max(beta)) < 1e-5, f"{row}: {mean}"
         for name, share in zip(("towards_table", "towards_panel"), pointing(session, first, end, wall)):
             assert abs(float(row[name]) - share) < 1e-5, f"{row}: {name} {share}"
+        explains = 3  # as in cave/record/lesson_words.h
+        assert row["attempt"] == "1" and row["explained"] == ("1" if any(frame[8] == explains for frame in frames) else "0"), row
         asked = sum(t - s for frame, s, t in zip(frames[1:], times, times[1:]) if frame[8] == 1)
         assert abs(float(row["ask_s"]) - asked) < 1e-4, f"{row}: {asked}"
         still = arms[row["participant"]] == "still"
@@ -293,6 +310,7 @@ def check_responses(folder, plan, codes):
     assert [row["participant"] for row in people] == [codes[n] for n in range(1, PEOPLE + 1)]
     for row, person in zip(people, plan, strict=True):
         assert row["forms"] == "".join(person["forms"]) and row["gender"] == "woman" and row["age_band"] == "18-24", row
+        assert row["guardian"] == "0", row
         assert row["started_utc"] == time.strftime("%Y-%m-%d", time.gmtime()) and row["excluded"] == ("stopped" if person["number"] == PEOPLE else ""), row
 
 
@@ -330,8 +348,32 @@ with open(slips, newline="") as file:
     codes = {int(row["number"]): row["code"] for row in csv.DictReader(file)}
 assert len(set(codes.values())) == PEOPLE and all(code in (out / "slips.html").read_text() for code in codes.values())
 
+assert slips.stat().st_mode & 0o777 == 0o600 and (out / "slips.html").stat().st_mode & 0o777 == 0o600, "others can read the codes"
+
+# A start that fails by the slips leaves no session file.
+for wrong, words in (out / "none.csv", "there is no such file, expected the slips that carom study codes writes"), (out, "this is a folder, expected the slips that"):
+    refused = subprocess.run([carom, "cave", "--silent", "--no-window", "--rig", out / "room.toml", "--session", session, "--study", study, "--slips", wrong,
+                              "--class-address", "127.0.0.1", "--class-port", "0"], capture_output=True, text=True, timeout=60)
+    assert refused.returncode == 1 and words in refused.stderr and not session.exists(), refused
+
+# What of the template is left is told with its line.
+said = run("check", study)
+assert re.search(r"consent-en\.md:5:10: \[Name of the institution, .*\] stands in brackets", said) and "consent-en.md:3:2: this is still the template's sentence" in said, said
+assert "study.toml:3:16: 6 people in an arm" in said, said
+
 room = Session()
-assert subprocess.run([carom, "study", "delete", codes[1], session], capture_output=True).returncode == 1, "deleted while it runs"
+
+
+def refuses_to_delete():
+    """Waits until no lesson is written, and is refused all the time."""
+    def between_lessons():
+        refused = subprocess.run([carom, "study", "delete", codes[1], session], capture_output=True, text=True)
+        assert refused.returncode == 1 and "has data of this code" not in refused.stderr, f"deleted while it runs: {refused}"
+        return "expected that its session is over" in refused.stderr
+    wait_for("the end of the lesson", between_lessons)
+
+
+refuses_to_delete()
 for place in "/socket", "/class.js", "/teacher":
     try:
         urllib.request.urlopen(room.address.removesuffix("/study") + place, timeout=10)
@@ -345,6 +387,8 @@ except urllib.error.HTTPError as error:
     assert error.code == 403
 for person in plan[:6]:
     take_part(room, codes[person["number"]], person)
+refuses_to_delete()
+assert query("SELECT 1 FROM participant WHERE code = ?", codes[1])
 room.end()
 
 # A study that was changed meanwhile is refused; the same goes on in the same file.
@@ -360,8 +404,14 @@ for person in plan[6:]:
 room.end()
 assert query("SELECT count(*) FROM participant")[0][0] == PEOPLE
 
-# The export.
+# The export. The same session, also a copy of it, is refused.
 data = out / "data"
+copy = out / "copy.db"
+shutil.copy(session, copy)
+for other in session, copy:
+    said = run("study", "export", session, other, "-o", data, status=1)
+    assert f"{other} is the same session as {session}, expected each session once" in said, said
+copy.unlink()
 run("study", "export", session, "-o", data)
 assert "is there already" in run("study", "export", session, "-o", data, status=1)
 check_codebook(data)
@@ -461,16 +511,21 @@ for rig, own in ("room", "near"), ("other", "far"):
         page = begin(room, code)
         for _ in range(18):
             page = room.send(page, go="next", answer="dont-know")
+        if number == 6:  # goes away here
+            room.send(page, go="next")
+            continue
         page = room.send(room.send(page, go="next"), go="rate", **{"unwell-before": "0"})
         wait_for("the lesson", lambda: query("SELECT 1 FROM participation WHERE code = ?", code, file=out / f"day-{rig}.db"))
         first = query("SELECT first_frame FROM participation WHERE code = ?", code, file=out / f"day-{rig}.db")[0][0]
         wait_for("a second of it", lambda: (query("SELECT max(display_s) - min(display_s) FROM frame WHERE number >= ?", first, file=out / f"day-{rig}.db")[0][0] or 0) > 0.5)
-        room.send(page, go="stop")
+        stop(room, page)
     room.end()
 run("study", "export", out / "day-room.db", out / "day-other.db", "-o", out / "rooms")
 assert {row["participant"]: row["arm"] for row in rows_of(out / "rooms", "participants.csv")} == {code_of[n]: arm for n, arm in arm_of.items()}
+assert {row["participant"]: row["excluded"] for row in rows_of(out / "rooms", "participants.csv")} == {code_of[n]: "unfinished" if n == 6 else "stopped" for n in arm_of}
+check_codebook(out / "rooms")
 behaved = rows_of(out / "rooms", "behaviour.csv")
-assert len(behaved) == len(code_of)
+assert len(behaved) == len(code_of) - 1
 for row in behaved:
     rig = "room" if arm_of[next(n for n, code in code_of.items() if code == row["participant"])] == "near" else "other"
     file = out / f"day-{rig}.db"
@@ -480,6 +535,26 @@ for row in behaved:
     assert abs(float(row["towards_panel"]) - share) < 1e-5, f"{row}: {share} of the panel of {rig}"
 said = run("doctor", "--no-window", "--findings", "--folder", out)
 assert [line.split(":")[1].strip() for line in said.splitlines() if "the data of the study 'Rooms'" in line] == ["day-other.db", "day-room.db"], said
+
+# A withdrawal from several files is counted once; one more of another person is another one. The lesson of a person who comes to a
+# session that goes on is begun again.
+own = {rig: [code for number, code in code_of.items() if arm_of[number] == arm] for rig, arm in (("room", "near"), ("other", "far"))}
+both = own["room"][0]
+with sqlite3.connect(out / "day-other.db") as database:  # who came to both rooms
+    database.execute("INSERT INTO participant SELECT ?, study, arm, order_row, forms, consent, consent_version, 99, started_utc, step, lesson, excluded FROM participant LIMIT 1", (both,))
+database.close()
+assert run("study", "delete", both, out / "day-room.db", out / "day-other.db").count("removed") == 2
+def withdrew(name):
+    run("study", "export", out / "day-room.db", out / "day-other.db", "-o", out / name)
+    return {row["key"]: row["value"] for row in rows_of(out / name, "study.csv")}["withdrew"]
+assert withdrew("once") == "1"
+said = run("study", "delete", own["other"][0], out / "day-room.db", out / "day-other.db")
+assert "day-room.db: has nothing of this code" in said and "1 participant withdrew" in said, said
+assert withdrew("twice") == "2"
+with sqlite3.connect(out / "day-other.db") as database:  # as older programs left it, which kept no identifier
+    database.execute("DELETE FROM session WHERE key = 'study_withdrawals'")
+database.close()
+assert withdrew("older") == "3"
 
 # At the console a code is typed; then keys are pressed in a lesson, and the export has each of them.
 if shutil.which("xdotool"):
@@ -535,13 +610,33 @@ if shutil.which("xdotool"):
     presses("c", f"f.views & {CLOCKS}", CLOCKS)
     presses("p", f"f.views & {PATHS}", 0)
     presses("F2", VELOCITY, 1)
+    for key in "F5", "F6", "F7", "F8", "Escape", "q":  # the ways out of the lesson are locked
+        press(key)
+        time.sleep(0.3)
+    presses("p", f"f.views & {PATHS}", PATHS)
+    presses("p", f"f.views & {PATHS}", 0)
+    assert (out / "stderr").read_text().count("is locked while people take part") == 4
+    assert query("SELECT count(*) FROM game WHERE first_frame > ?", first, file=file) == [(0,)], "a key has ended the lesson"
+    press("Return")
+    wait_for("the explanation", lambda: query(f"SELECT f.lesson_phase {FRAMES} DESC LIMIT 1", first, file=file)[0][0] == 3)
+    time.sleep(0.5)
+    page = room.send(None, go="code", code=code)
+    assert "Lesson 1 of 1" in page.text, page.text
+    press("y")  # begins it again
+    wait_for("the second attempt", lambda: query("SELECT count(*) FROM participation", file=file) == [(2,)])
+    again = query("SELECT max(first_frame) FROM participation", file=file)[0][0]
+    wait_for("some frames", lambda: query("SELECT count(*) > 20 FROM frame WHERE number >= ?", again, file=file)[0][0])
+    page = room.send(page, go="next")
+    assert "Question 1 of 18" in page.text, page.text
     room.end()
     run("study", "export", file, "-o", out / "keys")
-    row, = rows_of(out / "keys", "behaviour.csv")
+    row, second = rows_of(out / "keys", "behaviour.csv")
+    assert (row["attempt"], row["explained"], second["attempt"], second["explained"]) == ("1", "1", "2", "0"), (row, second)
+    told = query("SELECT min(number) FROM frame WHERE number >= ? AND lesson_phase = 3", first, file=file)[0][0]
     # By another method: what was pressed, and the changes in the frames that were seen.
-    assert row["velocities"] == "2 3 1" and row["views_switched"] == "3" and row["strokes"] == "0", row
-    seen = query(f"SELECT f.views, {VELOCITY} {FRAMES}", first, file=file)
-    moving = [velocity for _, velocity in seen if velocity != 1]  # each pass of the lesson begins at rest
-    assert sorted(set(moving)) == [2, 3] and moving == sorted(moving), seen
-    assert sum(bin((now[0] ^ later[0]) & (PATHS | CLOCKS)).count("1") for now, later in zip(seen, seen[1:])) == 3
+    # The explanation comes with the velocity that it is about.
+    assert row["velocities"] == "2 3 1 2" and row["views_switched"] == "5" and row["strokes"] == "0", row
+    seen = query(f"SELECT f.views, {VELOCITY} {FRAMES.replace('ORDER', f'AND f.number < {told} ORDER')}", first, file=file)
+    assert {2, 3} <= {velocity for _, velocity in seen}, seen  # their order is not told by frames: the head sways, too
+    assert sum(bin((now[0] ^ later[0]) & (PATHS | CLOCKS)).count("1") for now, later in zip(seen, seen[1:])) == 5
 print(f"{PEOPLE} people, {len(games)} lessons of others")

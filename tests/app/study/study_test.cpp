@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include "app/files/input_file.h"
 #include "app/study/item_bank.h"
 #include "app/temporary_folder.h"
@@ -166,8 +168,59 @@ TEST(Study, TellsOfTooFewPeopleForTheRows) {
       "rig = \"desk\"\n";
   const Study study = readStudy(folder.file("study.toml", text));
   EXPECT_EQ(orderRows(study), 10U);
-  ASSERT_EQ(study.odd.size(), 1U);
-  EXPECT_SAYS(study.odd[0].text, "too few participants for the rows: 9 in an arm, expected at least 10");
+  ASSERT_EQ(study.odd.size(), 3U);
+  EXPECT_SAYS(study.odd[0].text, "the arm 'b' has the same settings as the arm 'a'");
+  EXPECT_SAYS(study.odd[1].text,
+              "9 people in an arm: the report will describe and have no p-values, expected at");
+  EXPECT_SAYS(study.odd[2].text, "too few participants for the rows: 9 in an arm, expected at least 10");
+}
+
+TEST(Study, TellsOfAPrimaryOutcomeWithoutATestAndOfArmsThatAreTheSame) {
+  const TemporaryFolder folder;
+  const auto oddOf = [&](const std::string& more, const std::string& arms = "") {
+    std::string all;
+    for (const Finding& odd : readStudy(folder.file("study.toml", studyText(more, arms))).odd)
+      all += fmt::format("{}:{}\n", odd.at.line, odd.text);
+    return all;
+  };
+  const std::string one = "[[arm]]\nname = \"a\"\nrig = \"desk\"\n",
+                    two = one + "[[arm]]\nname = \"b\"\nrig = \"desk\"\n";
+  EXPECT_EQ(oddOf("primary = \"gain between arms\"\n"), "");
+  EXPECT_EQ(oddOf("primary = \"gain\"\n", one), "");
+  EXPECT_EQ(oddOf(""), "");
+  EXPECT_SAYS(
+      oddOf("primary = \"gain\"\n"),
+      "5:primary is 'gain', which the report has no test for, expected 'gain between arms', for two arms");
+  EXPECT_SAYS(oddOf("primary = \"gain between arms\"\n", one), "expected 'gain', for one arm");
+  EXPECT_SAYS(oddOf("primary = \"joy\"\n"), "primary is 'joy', which the report has no test for");
+  EXPECT_EQ(oddOf("", two),
+            "8:the arm 'b' has the same settings as the arm 'a', expected a difference between them\n");
+  EXPECT_EQ(oddOf("", two + "head = \"still\"\n"), "");
+}
+
+TEST(Study, TellsWhatOfTheTemplateIsLeftInTheConsentPage) {
+  const auto found = leftOfTemplate(
+      "# Taking part\n\n*A template for your ethics board: do.*\nAsk [name] or [see](http://x), [who]\n");
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].at.line, 3);
+  EXPECT_EQ(found[0].at.column, 2);
+  EXPECT_SAYS(found[1].text, "[name] stands in brackets");
+  EXPECT_EQ(found[1].at.line, 4);
+  EXPECT_EQ(found[1].at.column, 5);
+  EXPECT_SAYS(found[2].text, "[who]");
+  EXPECT_TRUE(leftOfTemplate("# Taking part\nAsk Ada.\n").empty());
+  for (const char* name : {"consent-en.md", "consent-de.md"})
+    EXPECT_GE(
+        leftOfTemplate(readText(std::string(CAROM_CONFIG_DIR "/studies/") + name, InputKind::toml)).size(),
+        5U)
+        << name;
+}
+
+TEST(Study, KnowsWhetherItsItemsAreTheShippedOnes) {
+  const TemporaryFolder folder;
+  folder.file("own.toml", wholeBank());
+  EXPECT_TRUE(readStudy(folder.file("study.toml", studyText())).hasShippedBank);
+  EXPECT_FALSE(readStudy(folder.file("study.toml", studyText("items = \"own.toml\"\n"))).hasShippedBank);
 }
 
 TEST(ItemBank, SaysWhatIsWrongAndWhere) {
@@ -188,7 +241,16 @@ TEST(ItemBank, SaysWhatIsWrongAndWhere) {
   EXPECT_SAYS(faultsOfBank(wholeBank() + item("i", "k", "B")), "item i stands twice in form B");
   EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "other", "A") + item("j", "other", "B")),
               "form C has no item of the concept other");
-  EXPECT_SAYS(faultsOfBank(item("i", "k", "D")), "form is 'D', expected 'A' or 'B' or 'C'");
+  // One mistake is one line, at its own place.
+  EXPECT_EQ(faultsOfBank(item("i", "k", "D") + item("i", "k", "B") + item("i", "k", "C")),
+            "bank.toml:4:8: form is 'D', expected 'A' or 'B' or 'C'\n");
+  EXPECT_EQ(faultsOfBank(wholeBank() +
+                         item("j", "k", "A",
+                              answer + "right = \"yes\"\n" + "[[item.answer]]\nid = \"b\"\ntext = \"B\"\n")),
+            "bank.toml:48:9: right is a text, expected true or false\n");
+  std::string without = item("j", "k", "A");
+  without.erase(without.find("concept"), std::string("concept = \"k\"\n").size());
+  EXPECT_EQ(faultsOfBank(wholeBank() + without), "bank.toml:40:1: concept is missing here\n");
   EXPECT_SAYS(faultsOfBank(item("a,b", "k", "A")), "id is 'a,b', expected at most 40 letters");
   EXPECT_SAYS(faultsOfBank("title = \"none\"\n"), "there is no item here");
   EXPECT_SAYS(

@@ -119,6 +119,17 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   for (const auto& [line, answer] : {std::pair{3U, 1}, {4U, 2}, {5U, 2}, {6U, 3}})
     EXPECT_EQ(lines[line].row, (WallAction{WallAction::Kind::choose, static_cast<std::uint8_t>(answer)}));
   EXPECT_FALSE(lines[2].isRow() || lines[7].isRow());
+  for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
+    record.lesson.phase = phase;
+    const auto mayLeave = [&](bool may) {
+      describe(record, kLesson, {}, {}, kLineLetters, lines, may);
+      const auto texts = textsOf(lines);
+      return std::any_of(texts.begin(), texts.end(),
+                         [](const std::string& line) { return line.find("Leave") != std::string::npos; });
+    };
+    EXPECT_TRUE(mayLeave(true));
+    EXPECT_FALSE(mayLeave(false)) << "in a study nobody leaves a lesson";
+  }
 }
 
 TEST(HudPanel, ANumberKeepsItsUnitAndALongWordIsWhole) {
