@@ -13,7 +13,9 @@ from selenium.webdriver.chrome.service import Service
 
 
 class OpenPage:
-    def __init__(self, file, width=1280, height=720, flags=()):
+    """The window is small: where there is no card, a picture in motion takes processor from what a test asks meanwhile."""
+
+    def __init__(self, file, width=400, height=240, flags=()):
         self.file = pathlib.Path(file).resolve()
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         options = webdriver.ChromeOptions()
@@ -26,7 +28,7 @@ class OpenPage:
         self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
         self.driver.set_script_timeout(300)
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
+                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 400})
 
     def __enter__(self):
         return self

@@ -3,6 +3,7 @@ what it sees is what `carom observe` sees; hostile words, cut pages and browsers
 
 import json
 import math
+import os
 import pathlib
 import random
 import subprocess
@@ -76,51 +77,45 @@ def test_physics():
     assert all(turn[1] > 29 for turn in more), sorted(more)[:3]
 
 
-def test_sight():
+def test_sight(page):
     random.seed(SEED)
     worst = worst_twin = worst_card = 0.0
     count = 0
-    with OpenPage(out / "page.html") as page:
-        page.open()
-        names = ["white", "yellow", "red"]
-        for _ in range(12):
-            t_s, place = random.uniform(0.5, 12), [random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(0.2, 1.5)]
-            beta = [random.uniform(-0.5, 0.5) for _ in range(3)]
-            at = page.call("observer", {"beta": beta, "position_m": place, "t_s": t_s})
-            assert not at["held"], at
-            points = [[random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.01, 0.01)] for _ in range(3)]
-            for name in names:
-                body = page.call("body", name)
-                seen = page.call("engine", None, "mono", body, points)
-                twin, card = page.call("twin", None, "mono", body, points), page.call("seen", None, "mono", body, points)
-                asked = ask("observe", "three-pucks", "--event", t_s, *place, "--beta", *beta,
-                            *[word for point in points for word in ("--point", name, *point)])["points"]
-                for mine, other, drawn, told in zip(seen, twin, card, asked):
-                    turned = in_board_axes(at["headFromBoard"], beta, mine)
-                    worst = max(worst, math.dist(turned, told["seen_m"]))
-                    worst_twin = max(worst_twin, math.dist(other, mine))
-                    worst_card = max(worst_card, math.dist(drawn, other))
-                    count += 1
+    names = ["white", "yellow", "red"]
+    for _ in range(4):
+        t_s, place = random.uniform(0.5, 12), [random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(0.2, 1.5)]
+        beta = [random.uniform(-0.5, 0.5) for _ in range(3)]
+        at = page.call("observer", {"beta": beta, "position_m": place, "t_s": t_s})
+        assert not at["held"], at
+        points = [[random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.01, 0.01)] for _ in range(3)]
+        for name in names:
+            body = page.call("body", name)
+            seen = page.call("engine", None, "mono", body, points)
+            twin, card = page.call("twin", None, "mono", body, points), page.call("seen", None, "mono", body, points)
+            asked = ask("observe", "three-pucks", "--event", t_s, *place, "--beta", *beta,
+                        *[word for point in points for word in ("--point", name, *point)])["points"]
+            for mine, other, drawn, told in zip(seen, twin, card, asked):
+                turned = in_board_axes(at["headFromBoard"], beta, mine)
+                worst = max(worst, math.dist(turned, told["seen_m"]))
+                worst_twin = max(worst_twin, math.dist(other, mine))
+                worst_card = max(worst_card, math.dist(drawn, other))
+                count += 1
     print(f"sight: {count} points of observers up to 0.87 c: engine - carom observe {worst:.2g} m, kernel - engine "
           f"{worst_twin:.2g} m, graphics card - kernel {worst_card:.2g} m")
-    assert count == 108 and worst < 1e-12 and worst_twin < 1e-9 and worst_card < 1e-5
+    assert count == 36 and worst < 1e-12 and worst_twin < 1e-9 and worst_card < 1e-5
 
 
-def test_held():
-    with OpenPage(out / "page.html") as page:
-        page.open()
-        late = page.call("observer", {"beta": [0, 0, 0], "position_m": [0, -2, 1], "t_s": 1e6})
-        fast = page.call("observer", {"beta": [2, 0, 0], "position_m": [0, -2, 1], "t_s": 3})
-        known_s = page.call("about")["known_s"]
+def test_held(page):
+    late = page.call("observer", {"beta": [0, 0, 0], "position_m": [0, -2, 1], "t_s": 1e6})
+    fast = page.call("observer", {"beta": [2, 0, 0], "position_m": [0, -2, 1], "t_s": 3})
+    known_s = page.call("about")["known_s"]
     assert late["held"] and late["event"][0] == known_s, late
     assert fast["held"] and abs(fast["headFromBoard"][0] - 1 / math.sqrt(1 - 0.999**2)) < 1e-9, fast
     print(f"held: an observer at 1e6 s at {late['event'][0]:.3f} s, one at 2 c at 0.999 c")
 
 
-def test_programs():
-    with OpenPage(out / "page.html") as page:
-        page.open()
-        count = page.call("programs")
+def test_programs(page):
+    count = page.call("programs")
     print(f"programs: {count} variants of the shaders compiled and linked")
     assert count == len(content(out / "page.html")[0]["shaders"]["variants"]) > 100
 
@@ -154,6 +149,9 @@ def test_broken():
         said = page.run("return document.getElementById('sorry').innerText")
         assert said and page.run("return document.getElementById('still').getBoundingClientRect().height") > 50, said
         print(f"broken: the engine traps: {said}")
+
+
+def test_lost_context():
     with OpenPage(out / "page.html") as page:
         page.open()
         page.run("""const gl = document.getElementById('picture').getContext('webgl2').getExtension('WEBGL_lose_context');
@@ -169,5 +167,12 @@ def test_broken():
         print("broken: a lost context came back")
 
 
-for test in (test_physics, test_sight, test_held, test_programs, test_words, test_broken):
-    test()
+test_physics()
+with OpenPage(out / "page.html") as opened:
+    opened.open()
+    for test in (test_sight, test_held, test_programs):
+        test(opened)
+test_words()
+test_broken()
+if "CAROM_PAGE_FRAMES" in os.environ:  # it takes minutes where there is no card
+    test_lost_context()

@@ -1,11 +1,12 @@
 """page_pictures.py OUT NAME[:SHARE] …: the pictures of the page OUT/NAME.html are those that carom replay captured in OUT/NAME. In
-ten frames of each, for every wall and eye: the outline of every puck within half a pixel, found in both pictures along its
+some frames of each, for every wall and eye: the outline of every puck within half a pixel, found in both pictures along its
 seen rim; colours within 3 of 255 on the mean, but for a pixel along edges; the solve of the graphics card beside that of
 the kernel in double; and nobody is called. The page draws no panels and no marks of light: up to SHARE of a picture below its
 upper panels may be theirs."""
 
 import io
 import math
+import os
 import pathlib
 import sys
 
@@ -15,6 +16,7 @@ from PIL import Image
 from chromium_page import OpenPage, content
 
 out = pathlib.Path(sys.argv[1])
+FRAMES = int(os.environ.get("CAROM_PAGE_FRAMES", 4))  # of each session
 MOST_PX, MOST_COLOUR = 0.5, 3.0
 
 
@@ -105,7 +107,7 @@ def check(name, share=0.0):
     with OpenPage(out / f"{name}.html") as page:
         ready_s = page.open()
         numbers = page.call("frames")
-        chosen = [numbers[i * (len(numbers) - 1) // 9] for i in range(min(10, len(numbers)))]
+        chosen = [numbers[i * (len(numbers) - 1) // (FRAMES - 1)] for i in range(min(FRAMES, len(numbers)))]
         worst_px = worst_share = worst_colour = worst_solve = worst_solve_px = 0.0
         pictures = outlines = points = 0
         for number in chosen:
