@@ -10,6 +10,7 @@
 #include <random>
 #include <thread>
 
+#include "app/link/line_connection.h"
 #include "app/link/link_socket.h"
 #include "app/link/sample_messages.h"
 #include "app/link/tls_stream.h"
@@ -136,23 +137,56 @@ TEST_P(LinkLineOver, CarriesMessagesBothWays) {
   EXPECT_GT(joiner.line.roundTrip(1).least_s, 0.0);
 }
 
-TEST(LinkLine, NewerPresentsTakeThePlaceOfOlderOnesAndStrokesAreNeverLeftOut) {
+// As many messages in all as may come at once: the line's thread may send every one of these presents.
+TEST(LinkLine, TheNewestPresentAndEveryStrokeArrive) {
   End host(listening());
   End joiner(to(host.line));
   ASSERT_TRUE(comes([&] { return host.newest() == 1 && joiner.newest() == 1; }));
   LinkPresent present = samplePresent();
-  for (std::uint32_t i = 1; i <= 2000; ++i) {
+  for (std::uint32_t i = 1; i <= 150; ++i) {
     present.present.number = i;
-    if (i % 20 == 0) host.line.send(1, sampleStroke(i / 20));
+    if (i % 5 == 0) host.line.send(1, sampleStroke(i / 5));
     host.line.present(1, present);
   }
   ASSERT_TRUE(comes([&] {
     const auto presents = joiner.all<LinkPresent>();
-    return !presents.empty() && presents.back().present.number == 2000;
-  }));
-  EXPECT_EQ(joiner.all<LinkStroke>().size(), 100U);
-  EXPECT_LT(joiner.all<LinkPresent>().size(), 200U) << "they were not replaced";
+    return !presents.empty() && presents.back().present.number == 150;
+  })) << joiner.closedWith();
+  EXPECT_EQ(joiner.all<LinkStroke>().size(), 30U);
   EXPECT_EQ(joiner.closedWith(), "");
+}
+
+TEST(LineConnection, ANewerPresentTakesThePlaceOfOneThatWasNotSent) {
+  const LinkKey its = key();
+  TlsEnd listens(true, its), calls(false, its);
+  int pair[2];
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, pair), 0);
+  const auto now = LinkClock::now();
+  LineConnection sends(1, listens, pair[0], "a test", now), takes(2, calls, pair[1], "a test", now);
+  std::vector<LinkMessage> taken;
+  const auto readBoth = [&] {
+    sends.read(now, [](const LinkMessage&) {});
+    takes.read(now, [&](LinkMessage& message) { taken.push_back(std::move(message)); });
+  };
+  ASSERT_TRUE(comes([&] {
+    readBoth();
+    return sends.isProven() && takes.isProven();
+  }));
+  for (std::uint32_t i = 1; i <= 5; ++i) {
+    LinkPresent present = samplePresent();
+    present.present.number = i;
+    std::vector<std::uint8_t> bytes = bytesOf(present);
+    sends.setPresent(bytes);
+    sends.add(bytesOf(sampleStroke(i)), quick());
+  }
+  sends.write(quick());
+  ASSERT_TRUE(comes([&] {
+    readBoth();
+    return taken.size() >= 6;
+  }));
+  EXPECT_EQ(taken.size(), 6U) << "five strokes and a present";
+  for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(std::get<LinkStroke>(taken[i]).told.number, i + 1);
+  EXPECT_EQ(std::get<LinkPresent>(taken[5]).present.number, 5U);
 }
 
 TEST(LinkLine, TakesNoOtherKey) {
