@@ -3,17 +3,19 @@
 in vec3 drawn_m;
 in vec4 ink;
 in vec2 on;
-in vec3 what;
+in float what;
+in vec4 words;
 in vec4 plate;  // its middle, and half its diagonal
 uniform mat4 clipFromDrawn;
 uniform int plates;   // 1: they alone are drawn, 0: all else
 uniform float cutAt;  // the border that would cut them: 1 right, −1 left, 0 none
 out vec4 colourHere;
 out vec2 place;
-flat out vec3 style;
+flat out float style;
+flat out vec4 text;
 
 bool leftOut() {
-  if ((what.x > 0.5) != (plates == 1)) return true;
+  if ((what > 0.5) != (plates == 1)) return true;
   if (plates == 0 || cutAt == 0.0) return false;
   vec4 middle = clipFromDrawn * vec4(plate.xyz, 1.0);
   vec3 across = vec3(clipFromDrawn[0].x, clipFromDrawn[1].x, clipFromDrawn[2].x);
@@ -26,4 +28,5 @@ void main() {
   colourHere = ink;
   place = on;
   style = what;
+  text = words;
 }
