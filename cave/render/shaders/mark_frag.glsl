@@ -1,9 +1,9 @@
-// Colours a mark: a flat colour, a soft light (style.x = −1), or a plate with digits. For a plate, style.x is
-// the sum of its number of places, 16 times the number of places behind the point (0: there is no point) and
-// 256 times its shape (cave/render/mark_buffer.h: box, clock, flag). The digits are in style.yz, packed as in
-// digits.glsl.
+// Colours a mark: a flat colour, a soft light (style.x = −1), a disc (−2), or a plate with digits. For a
+// plate, style.x is the sum of its number of places, 16 times the number of places behind the point (0: there
+// is no point) and 256 times its shape (cave/render/mark_buffer.h: box, clock, flag). The digits are in
+// style.yz, packed as in digits.glsl.
 in vec4 colourHere;
-in vec2 place;  // on a plate places from its left border, 0 … 1 over its height; on a light −1 … 1
+in vec2 place;  // on a plate places from its left border, 0 … 1 over its height; on a light or a disc −1 … 1
 flat in vec3 style;
 out vec4 colour;
 
@@ -31,7 +31,10 @@ vec4 plate() {
 }
 
 void main() {
-  if (style.x < -0.5) {
+  if (style.x < -1.5) {
+    float r = length(place);
+    colour = vec4(colourHere.rgb, colourHere.a * clamp((1.0 - r) / max(fwidth(r), 1e-4), 0.0, 1.0));
+  } else if (style.x < -0.5) {
     float r = length(place);
     float core = max(1.0 - r, 0.0);
     colour = vec4(mix(colourHere.rgb, vec3(1.0), core * core), colourHere.a * core * core);
