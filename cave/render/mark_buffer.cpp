@@ -22,6 +22,7 @@ namespace {
 // The styles of shaders/mark_frag.glsl, and the encoding of a plate.
 constexpr float kFlat = 0.0F;
 constexpr float kGlow = -1.0F;
+constexpr float kDisc = -2.0F;
 constexpr int kShape = 16;
 const std::string kCells =
     fmt::format("const vec2 kCells = vec2({}.0, {}.0);\n", kLetterColumns, kLetterRows);
@@ -103,8 +104,12 @@ void MarkBuffer::addStrip(std::span<const glm::dvec3> left_m, std::span<const gl
 void MarkBuffer::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& colour, double halfWidth_rad) {
   // The direction across both the line of sight and the line. Every part of the line has some length, so
   // neither vanishes for long.
+  const std::size_t last = drawn_m.size() - 1;
+  const bool isClosed = last > 1 && drawn_m.front() == drawn_m.back();
   const auto aside = [&](std::size_t i) {
-    const glm::dvec3 way = drawn_m[std::min(i + 1, drawn_m.size() - 1)] - drawn_m[i > 0 ? i - 1 : 0];
+    const bool isSeam = isClosed && (i == 0 || i == last);
+    const glm::dvec3 way =
+        isSeam ? drawn_m[1] - drawn_m[last - 1] : drawn_m[std::min(i + 1, last)] - drawn_m[i > 0 ? i - 1 : 0];
     const glm::dvec3 across = glm::cross(way, drawn_m[i]);
     const double length = glm::length(across);
     return length > 0.0 ? across * (halfWidth_rad * glm::length(drawn_m[i]) / length) : glm::dvec3(0.0);
@@ -123,6 +128,13 @@ void MarkBuffer::addPlate(std::span<const glm::dvec3> lower_m, std::span<const g
   const glm::dvec3 middle_m = 0.5 * (lower_m.front() + upper_m.back());
   const glm::vec4 plate(middle_m, 0.5 * glm::distance(lower_m.front(), upper_m.back()));
   const float step = static_cast<float>(placesAcross(text, shape)) / static_cast<float>(lower_m.size() - 1);
+  const int first = static_cast<int>(corners_.size()), count = static_cast<int>(6 * (lower_m.size() - 1));
+  const bool goesOn = !plates_.empty() && plates_.back().first + plates_.back().count == first;
+  if (goesOn) {
+    plates_.back().count += count;
+  } else {
+    plates_.push_back({first, count});
+  }
   for (std::size_t i = 0; i + 1 < lower_m.size(); ++i) {
     const float from = step * static_cast<float>(i), to = step * static_cast<float>(i + 1);
     const MarkCorner a{glm::vec3(lower_m[i]), colour, {from, 0.0F}, what, letters, plate};
@@ -134,6 +146,14 @@ void MarkBuffer::addPlate(std::span<const glm::dvec3> lower_m, std::span<const g
 }
 
 void MarkBuffer::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour) {
+  addRound(drawn_m, radius_m, colour, kGlow);
+}
+
+void MarkBuffer::addDisc(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour) {
+  addRound(drawn_m, radius_m, colour, kDisc);
+}
+
+void MarkBuffer::addRound(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour, float style) {
   const double distance_m = glm::length(drawn_m);
   if (!(distance_m > 0.0)) return;
   const glm::dvec3 sight = drawn_m / distance_m;
@@ -141,7 +161,7 @@ void MarkBuffer::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::
   const glm::dvec3 right = radius_m * glm::normalize(glm::cross(sight, other));
   const glm::dvec3 up = glm::cross(right, sight);
   const auto corner = [&](double u, double v) {
-    return MarkCorner{glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), kGlow, {}, {}};
+    return MarkCorner{glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), style, {}, {}};
   };
   for (const MarkCorner& c :
        {corner(-1, -1), corner(1, -1), corner(-1, 1), corner(-1, 1), corner(1, -1), corner(1, 1)})
@@ -157,28 +177,46 @@ MarkDrawer::MarkDrawer()
                          {"words", 4, offsetof(MarkCorner, text)},
                          {"plate", 4, offsetof(MarkCorner, plate)}}),
       clipAt_(glGetUniformLocation(program_, "clipFromDrawn")),
-      cutAt_(glGetUniformLocation(program_, "cutAt")),
-      platesAt_(glGetUniformLocation(program_, "plates")) {
+      cutAt_(glGetUniformLocation(program_, "cutAt")) {
   uploadLetters(letters_);
 }
 
+void MarkDrawer::Runs::add(int first, int end) {
+  if (end == first) return;
+  firsts.push_back(first);
+  counts.push_back(end - first);
+}
+
+void MarkDrawer::Runs::draw() const {
+  glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<int>(firsts.size()));
+}
+
 void MarkDrawer::upload(const MarkBuffer& batch) {
-  count_ = static_cast<int>(batch.corners().size());
-  if (count_ > 0) stream_.upload(batch.corners());
+  for (Runs* runs : {&flat_, &plates_}) {
+    runs->firsts.clear();
+    runs->counts.clear();
+  }
+  if (batch.corners().empty()) return;
+  stream_.upload(batch.corners());
+  int end = 0;
+  for (const auto& [first, count] : batch.plates()) {
+    flat_.add(end, first);
+    end = first + count;
+    plates_.add(first, end);
+  }
+  flat_.add(end, static_cast<int>(batch.corners().size()));
 }
 
 void MarkDrawer::draw(const glm::mat4& clipFromDrawn, float cutAt) const {
-  if (count_ == 0) return;
+  if (flat_.firsts.empty() && plates_.firsts.empty()) return;
   glUseProgram(program_);
   stream_.bind();
   glUniformMatrix4fv(clipAt_, 1, GL_FALSE, glm::value_ptr(clipFromDrawn));
   glUniform1f(cutAt_, cutAt);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, letters_);
-  for (const int plates : {0, 1}) {
-    glUniform1i(platesAt_, plates);
-    glDrawArrays(GL_TRIANGLES, 0, count_);
-  }
+  flat_.draw();
+  plates_.draw();
 }
 
 }  // namespace carom

@@ -21,8 +21,8 @@ namespace carom {
 struct MarkCorner {
   glm::vec3 drawn_m{0.0F};  ///< from the eye, in the frame in which walls are drawn
   glm::vec4 colour{1.0F};
-  glm::vec2 on{0.0F};  ///< on a plate: places from its left border, 0 … 1 over its height; on a glow −1 … 1
-  float style = 0.0F;     ///< shaders/mark_frag.glsl
+  glm::vec2 on{0.0F};  ///< on a plate: places from its left border, 0 … 1 over its height; else −1 … 1
+  float style = 0.0F;  ///< shaders/mark_frag.glsl
   glm::vec4 text{0.0F};   ///< a plate's letters, three in each, the first highest
   glm::vec4 plate{0.0F};  ///< a plate's middle, from the eye, and half its diagonal (m)
 };
@@ -52,11 +52,20 @@ double placesAcross(const PlateText& text, PlateShape shape);
 
 class MarkBuffer {
  public:
-  void clear() { corners_.clear(); }
+  void clear() {
+    corners_.clear();
+    plates_.clear();
+  }
   std::span<const MarkCorner> corners() const { return corners_; }
+  /// Corners that follow one another.
+  struct Run {
+    int first = 0, count = 0;
+  };
+  /// Returns which of them are of plates, in their order.
+  std::span<const Run> plates() const { return plates_; }
 
   /// Adds a line through these points, given from the eye. It looks equally wide everywhere: `halfWidth_rad`
-  /// is half its width as an angle.
+  /// is half its width as an angle. Where its last point is its first, it is closed without a seam.
   void addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& colour, double halfWidth_rad);
 
   /// Adds a strip between two borders, given point by point.
@@ -70,9 +79,13 @@ class MarkBuffer {
 
   /// Adds a soft round glow around a point.
   void addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour);
+  /// Adds a round disc that faces the eye.
+  void addDisc(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour);
 
  private:
+  void addRound(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour, float style);
   std::vector<MarkCorner> corners_;
+  std::vector<Run> plates_;
 };
 
 /// Draws mark buffers. Create and destroy it with the drawing context current.
@@ -90,8 +103,12 @@ class MarkDrawer {
   GlProgram program_;
   GlTexture letters_;
   VertexStream<MarkCorner> stream_;
-  int clipAt_, cutAt_, platesAt_;  // places of uniforms
-  int count_ = 0;
+  int clipAt_, cutAt_;  // places of uniforms
+  struct Runs {
+    std::vector<int> firsts, counts;
+    void add(int first, int end);
+    void draw() const;
+  } flat_, plates_;
 };
 
 }  // namespace carom

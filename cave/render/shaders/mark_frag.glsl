@@ -1,9 +1,9 @@
-// Colours a mark: a flat colour, a soft light (style = −1), or a plate with letters. For a plate, style is
-// the sum of its number of places and 16 times its shape (cave/render/mark_buffer.h: box, clock, flag), and
+// Colours a mark: a flat colour, a soft light (style = −1), a disc (−2), or a plate with letters. For a
+// plate, style is the sum of its number of places and 16 times its shape (cave/render/mark_buffer.h: box, clock, flag), and
 // each part of `text` has three letters. kCells: columns and rows of the picture of letters
 // (cave/gl/letter_atlas.h).
 in vec4 colourHere;
-in vec2 place;  // on a plate places from its left border, 0 … 1 over its height; on a light −1 … 1
+in vec2 place;  // on a plate places from its left border, 0 … 1 over its height; on a light or a disc −1 … 1
 flat in float style;
 flat in vec4 text;
 uniform sampler2D letters;
@@ -43,7 +43,10 @@ vec4 plate() {
 }
 
 void main() {
-  if (style < -0.5) {
+  if (style < -1.5) {
+    float r = length(place);
+    colour = vec4(colourHere.rgb, colourHere.a * clamp((1.0 - r) / max(fwidth(r), 1e-4), 0.0, 1.0));
+  } else if (style < -0.5) {
     float r = length(place);
     float core = max(1.0 - r, 0.0);
     colour = vec4(mix(colourHere.rgb, vec3(1.0), core * core), colourHere.a * core * core);
