@@ -10,6 +10,7 @@
 
 #include "app/files/config_folder.h"
 #include "app/files/rig_viewers.h"
+#include "app/operator/visitor_choices.h"
 #include "engine/base/log.h"
 #include "engine/base/outside_file.h"
 #include "engine/base/xxh3.h"
@@ -92,7 +93,7 @@ CaveLink::CaveLink(const Rig& rig, const std::filesystem::path& rigFile, const L
     : address_(address),
       line_(address, linkKeyOf(rig, rigFile)),
       play_(selfOf(rig, address), line_, arithmeticFingerprint()),
-      room_(play_, invitedFile()) {
+      room_(play_, invitedFile(), rig.axes) {
   log::note(
       fmt::format("link: {} with the key {}", address.text(), LinkKey::read(rig.link->key).fingerprint()));
 }
@@ -135,6 +136,56 @@ std::string CaveLink::join(Scenario& scenario) {
   play_.join(welcome, std::move(game));
   room_.begin(false);
   return {};
+}
+
+void CaveLink::begin(bool isInvited, const InputFile& game, Scenario& scenario) {
+  if (!isInvited) return play(game, scenario);
+  const std::string why = join(scenario);
+  if (why.empty()) return;
+  log::error(fmt::format("link: the game of the other room: {}", why));
+  refuse(why);
+  wait();
+}
+
+bool CaveLink::mayChoose(LiveSource& source) {
+  const std::string why = room_.whyNotChoose();
+  if (!why.empty()) source.announce(why);
+  return why.empty();
+}
+
+void settleLink(CaveOptions& options, SetupOptions& inputs) {
+  const Rig rig = readRig(inputs.rig);
+  const bool isPlain = !options.frames && !options.resume && !options.resumeOrNew && !options.lesson &&
+                       !options.hasClass && options.study.empty();
+  if (options.link.empty() && rig.link && isPlain) options.link = rig.link->with;
+  if (options.link.empty()) return;
+  for (const Wall& wall : rig.walls) {
+    if (wall.sky && wall.sky->from_m)
+      throw std::runtime_error(fmt::format(
+          "--link: wall {} shows what is seen from a place of its own, expected the eyes of viewers",
+          wall.name));
+  }
+  if (linkAddressOf(options.link).listens) return;
+  if (!options.isUsualGame)
+    throw std::runtime_error("--link: the room that calls plays the other's game, expected no --scenario");
+  if (!options.playlist.empty())
+    throw std::runtime_error("--link: the room that calls plays the other's games, expected no --playlist");
+  options.scenario = fileOfGame(kTwoCities);
+  inputs.scenario.file = options.scenario;
+}
+
+std::unique_ptr<CaveLink> openLink(SessionSetup& setup, const CaveOptions& options,
+                                   const SetupOptions& inputs) {
+  if (options.link.empty()) return nullptr;
+  if (const std::string why = whyNotLinked(setup.scenario); !why.empty())
+    throw std::runtime_error(fmt::format("--link: {}: {}", inputs.scenario.file.string(), why));
+  auto link = std::make_unique<CaveLink>(setup.rig, inputs.rig.file, linkAddressOf(options.link));
+  if (link->joins()) {
+    link->wait();
+  } else {
+    link->play(inputs.scenario, setup.scenario);
+  }
+  return link;
 }
 
 }  // namespace carom

@@ -5,13 +5,16 @@
 #include <optional>
 #include <string>
 
+#include "app/commands/cave_options.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/link/link_address.h"
 #include "app/link/link_line.h"
 #include "app/link/linked_play.h"
 #include "app/session/linked_room.h"
+#include "app/session/live_source.h"
 #include "app/stage/handover.h"
+#include "app/stage/session_setup.h"
 
 namespace carom {
 
@@ -45,6 +48,11 @@ class CaveLink {
   /// Begins the game of the invitation, which `scenario` is. Returns why it cannot be played here; empty if
   /// it can.
   std::string join(Scenario& scenario);
+  /// Begins a game with the other room, whose invitation `game` is, or one for it; waits on if the invitation
+  /// cannot be followed.
+  void begin(bool isInvited, const InputFile& game, Scenario& scenario);
+  /// Returns whether this room may choose its next game; says so if another room does.
+  bool mayChoose(LiveSource& source);
   /// Refuses the invitation.
   void refuse(const std::string& why) { play_.leave(why); }
 
@@ -57,5 +65,13 @@ class CaveLink {
   LinkedPlay play_;
   LinkedRoom room_;
 };
+
+/// Settles with which room this one is linked, as the rig says or the options. A room that calls another
+/// plays that one's games.
+void settleLink(CaveOptions& options, SetupOptions& inputs);
+
+/// Opens the link, if another room plays, and begins its game, or waits for that of the other.
+std::unique_ptr<CaveLink> openLink(SessionSetup& setup, const CaveOptions& options,
+                                   const SetupOptions& inputs);
 
 }  // namespace carom

@@ -264,21 +264,6 @@ struct LivePlay {
   std::unique_ptr<StatusFile> status;  // null without --status
 };
 
-/// Opens the link, if another room plays, and begins its game, or waits for that of the other.
-std::unique_ptr<CaveLink> openLink(SessionSetup& setup, const CaveOptions& options,
-                                   const SetupOptions& inputs) {
-  if (options.link.empty()) return nullptr;
-  if (const std::string why = whyNotLinked(setup.scenario); !why.empty())
-    throw std::runtime_error(fmt::format("--link: {}: {}", inputs.scenario.file.string(), why));
-  auto link = std::make_unique<CaveLink>(setup.rig, inputs.rig.file, linkAddressOf(options.link));
-  if (link->joins()) {
-    link->wait();
-  } else {
-    link->play(inputs.scenario, setup.scenario);
-  }
-  return link;
-}
-
 /// Creates the play, at the start of the game or after the last frame of the session that is continued.
 std::unique_ptr<LivePlay> playOf(SessionSetup& setup, const CaveOptions& options, const SetupOptions& inputs,
                                  const Before& before) {
@@ -331,23 +316,6 @@ bool writeNext(JournalListener& journal, CaveOptions& options, const NextGame& n
 
 constexpr const char* kSameGame = "-";  // in the place of a file: no other one follows
 
-/// Returns whether this room may choose its next game; says so if another room does.
-bool mayChoose(LivePlay& play) {
-  const std::string why = play.link->room().whyNotChoose();
-  if (!why.empty()) play.source.announce(why);
-  return why.empty();
-}
-
-/// Begins a game with or for the other room.
-void beginLinked(CaveLink& link, bool isInvited, const InputFile& game, Scenario& scenario) {
-  if (!isInvited) return link.play(game, scenario);
-  const std::string why = link.join(scenario);
-  if (why.empty()) return;
-  log::error(fmt::format("link: the game of the other room: {}", why));
-  link.refuse(why);
-  link.wait();
-}
-
 /// Continues on every node with the game that rank 0 has chosen, which may be the same from its beginning.
 /// Returns false if none was chosen, which ends the session. `play` is null on ranks other than 0.
 bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& inputs, SessionSetup& setup,
@@ -356,7 +324,8 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
   std::string file = next.file;
   CaveLink* const link = play ? play->link.get() : nullptr;
   const bool isInvited = link && link->room().invitation() && file == CaveLink::invitedFile();
-  if (link && link->joins() && !isInvited && !file.empty() && !mayChoose(*play)) file = kSameGame;
+  if (link && link->joins() && !isInvited && !file.empty() && !link->mayChoose(play->source))
+    file = kSameGame;
   cluster.share(file);
   if (file.empty()) return false;
   if (file == kSameGame) return true;
@@ -371,7 +340,7 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
   inputs.scenario = game;
   onAllRanks(cluster, [&] {
     if (!play) return;
-    if (link) beginLinked(*link, isInvited, game, setup.scenario);
+    if (link) link->begin(isInvited, game, setup.scenario);
     windows.play(setup);
     play->source.playAnew();
     if (play->classroom) play->classroom->play(lessonOf(setup), file);
@@ -483,29 +452,6 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   return {};
 }
 
-/// Settles with which room this one is linked, as the rig says or the options. A room that calls another
-/// plays that one's games.
-void settleLink(CaveOptions& options, SetupOptions& inputs) {
-  const Rig rig = readRig(inputs.rig);
-  const bool isPlain = !options.frames && !options.resume && !options.resumeOrNew && !options.lesson &&
-                       !options.hasClass && options.study.empty();
-  if (options.link.empty() && rig.link && isPlain) options.link = rig.link->with;
-  if (options.link.empty()) return;
-  for (const Wall& wall : rig.walls) {
-    if (wall.sky && wall.sky->from_m)
-      throw std::runtime_error(fmt::format(
-          "--link: wall {} shows what is seen from a place of its own, expected the eyes of viewers",
-          wall.name));
-  }
-  if (linkAddressOf(options.link).listens) return;
-  if (!options.isUsualGame)
-    throw std::runtime_error("--link: the room that calls plays the other's game, expected no --scenario");
-  if (!options.playlist.empty())
-    throw std::runtime_error("--link: the room that calls plays the other's games, expected no --playlist");
-  options.scenario = fileOfGame(kTwoCities);
-  inputs.scenario.file = options.scenario;
-}
-
 /// Settles on rank 0 where the session is written, whether it goes on, and with which games.
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
   Before before = settleSession(options, inputs);
@@ -534,6 +480,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
     if (cluster.rank() > 0) return;
     if (options.status) status = std::make_unique<StatusFile>(*options.status, cluster);
     before = prepare(options, inputs);
+    inputs.people = !options.link.empty();
   });
   opened = options.session;
   SessionSetup setup = setUpSession(cluster, inputs);

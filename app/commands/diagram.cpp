@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -55,6 +56,7 @@ DiagramSubject subjectOf(const DiagramOptions& options) {
         fmt::format("session file {}: no frame of it is that early", options.source.string()));
   subject.lines.assign(world.histories.begin() + 1,
                        world.histories.end());  // without the resting body
+  followTold(subject, world.people, options.from_s.value_or(-std::numeric_limits<double>::infinity()));
   subject.events = world.events;
   subject.knownUntil_s = subject.mine.back().t_s;
   BilliardSetup played = scenario.billiard;

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <stdexcept>
 #include <tuple>
@@ -30,8 +29,8 @@ struct Subject {
   double c_m_s = 1.0;
   std::vector<std::string> pucks, flashes;  // names
   std::vector<GameEvent> events;
-  std::vector<std::string> viewers;                     // sessions only
-  std::array<std::vector<HeadAt>, kMostViewers> heads;  // of each of them
+  std::vector<std::string> viewers;        // sessions only; then those of another room
+  std::vector<std::vector<HeadAt>> heads;  // of each of them
 };
 
 Subject subjectOf(const Scenario& scenario) {
@@ -56,6 +55,16 @@ Subject played(const Scenario& scenario, double until_s) {
   return subject;
 }
 
+/// Adds the people of another room, as the frames told of them: when they saw it, too.
+void addTold(Subject& subject, const std::vector<std::vector<HeadAt>>& told,
+             const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    if (told[i].empty()) continue;
+    subject.viewers.push_back(names[i] + "_afar");
+    subject.heads.push_back(told[i]);
+  }
+}
+
 /// Returns the final state of the recorded game.
 Subject recorded(const EventsOptions& options) {
   SessionFile session(options.source, options.game);
@@ -63,9 +72,17 @@ Subject recorded(const EventsOptions& options) {
   sayGame(session, scenario.title);
   Subject subject = subjectOf(scenario);
   subject.viewers = session.facts().viewers;
+  subject.heads.resize(subject.viewers.size());
+  std::vector<std::vector<HeadAt>> told(kMostViewers);
+  std::vector<std::string> toldNames(kMostViewers);
   World world{startingHistories(scenario), {}};
   for (FrameState state; session.next(state);) {
     session.apply(state, world);
+    for (const ToldMoment& moment : state.told) {
+      if (moment.kind == ToldKind::ends) continue;
+      told[moment.person].push_back({state.record.number, moment.head, moment.properTime_s});
+      toldNames[moment.person] = moment.nameText();
+    }
     for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
       if (viewer >= state.record.viewerCount) break;
       const ObserverView& observer = state.record.viewers[viewer].observer;
@@ -84,6 +101,7 @@ Subject recorded(const EventsOptions& options) {
     for (const HeadAt& at : ofOne) latest_s = std::max(latest_s, at.event.t_s);
   }
   keepUntil(subject.events, options.until_s.value_or(latest_s));
+  addTold(subject, told, toldNames);
   return subject;
 }
 

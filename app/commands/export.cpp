@@ -29,6 +29,7 @@
 #include "engine/base/log.h"
 #include "engine/base/whole_file.h"
 #include "engine/light/point_emission.h"
+#include "engine/linked/promise.h"
 
 namespace carom {
 namespace {
@@ -142,6 +143,22 @@ constexpr const char* kColumns =
     "m,"
     "emission_y_m,emission_z_m,seen_x_m,seen_y_m,seen_z_m,distance_m,doppler,body_proper_time_s\n";
 
+/// Returns a row about the head of a person of another room, without its beginning, which is the observer's.
+std::string rowOf(const ToldPath& path, const Observation& eye, double c_m_s) {
+  if (path.moments().empty()) return ",unseen,,,,,,,,,,\n";
+  const std::string name = std::string(path.moments().front().nameText()) + "_afar";
+  const auto person = path.at([&](const Event& event) { return afterLightOf_s(event, eye.event, c_m_s); });
+  if (!person) return csvField(name) + ",unseen,,,,,,,,,,\n";
+  const Vec3& from = person->head.r_m;
+  const Vec3 seen = (eye.headFromBoard * (person->head - eye.event)).dr_m;
+  const double doppler = dopplerFactor(person->head - eye.event, person->u, eye.headFromBoard.inverse().u());
+  std::string csv = csvField(name) + ",seen,";
+  csv += csvNumbers({person->head.t_s, from.x, from.y, from.z, seen.x, seen.y, seen.z, glm::length(seen),
+                     doppler, person->properTime_s});
+  csv.back() = '\n';
+  return csv;
+}
+
 std::string rowsOf(const Recorded& recorded, const SeenFrame& frame, const Observation& eye) {
   std::string csv;
   const Vec3 &r = eye.event.r_m, &beta = eye.beta;
@@ -157,6 +174,8 @@ std::string rowsOf(const Recorded& recorded, const SeenFrame& frame, const Obser
                        light->doppler, light->properTime_s});
     csv.back() = '\n';  // replaces the last comma
   }
+  for (const ToldPath& path : recorded.game.world.people)
+    csv += observer + rowOf(path, eye, recorded.scenario.billiard.lightSpeed_m_s);
   return csv;
 }
 

@@ -42,6 +42,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
   const std::array<int, 2>& eye_px = session->facts().eyePixels;
   if (!inputs.live && eye_px[0] > 0 && eye_px[1] > 0) inputs.eye_px = {eye_px[0], eye_px[1]};
   inputs.textSize = session->facts().textSize;
+  inputs.people = session->facts().isLinked;
   if (options.rig) inputs.rig = {*options.rig, {}};
   inputs.scenario = {session->facts().scenario, session->facts().scenarioText};
   return session;

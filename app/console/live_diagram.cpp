@@ -167,6 +167,7 @@ void LiveDiagram::make(const FrameRecord& record, const World& world) {
   const Event& here = record.viewers.front().observer.middle.observation;
   if (subject_.mine.empty()) return;
   subject_.lines.assign(world.histories.begin() + 1, world.histories.end());
+  followTold(subject_, world.people, here.t_s - kKept_s);
   subject_.events = world.events;
   subject_.knownUntil_s = here.t_s;
   chart_ = spacetimeChart(subject_, {'x', here.t_s - kShown_s});

@@ -23,6 +23,12 @@ std::string framesOf(const char* which) {
                      which);
 }
 
+/// Returns which frames change the game.
+std::string changes(const SQLite::Database& database) {
+  return fmt::format("AND number IN (SELECT frame FROM knot UNION SELECT frame FROM frame_event{})",
+                     ToldReader::hasTable(database) ? " UNION SELECT frame FROM link_person" : "");
+}
+
 }  // namespace
 
 std::string frameTables() {
@@ -68,15 +74,15 @@ void FrameWriter::write(std::uint64_t frame, const GameEvent& event) {
 FrameReader::FrameReader(SQLite::Database& database, double lightSpeed_m_s)
     : lightSpeed_m_s_(lightSpeed_m_s),
       frame_(database, framesOf("")),
-      change_(database,
-              framesOf("AND number IN (SELECT frame FROM knot UNION SELECT frame FROM frame_event)")),
+      change_(database, framesOf(changes(database).c_str())),
       knot_(database,
             fmt::format("SELECT body{} FROM knot WHERE frame = ? ORDER BY rowid", namesOf<Knot>().text())),
       event_(database, fmt::format("SELECT frame{} FROM frame_event WHERE frame = ? ORDER BY number",
                                    namesOf<GameEvent>().text())),
       viewers_(database, lightSpeed_m_s),
       headset_(database),
-      force_(database) {
+      force_(database),
+      told_(database) {
   goTo(0);
 }
 
@@ -101,6 +107,7 @@ void FrameReader::read(FrameState& state) {
   viewers_.read(state.record);
   headset_.read(state.record);
   force_.read(state.record);
+  told_.read(static_cast<std::uint64_t>(number), state.told);
   if (state.record.number != static_cast<std::uint64_t>(number))
     throw std::runtime_error(fmt::format("its record is of frame {}", state.record.number));
   expectPossible(state.record, lightSpeed_m_s_);

@@ -8,6 +8,7 @@
 
 #include "app/journal/force_rows.h"
 #include "app/journal/headset_rows.h"
+#include "app/journal/link_batch.h"
 #include "app/journal/viewer_rows.h"
 #include "cave/record/frame_state.h"
 
@@ -39,7 +40,7 @@ class FrameReader {
 
   /// Makes the next frame the first whose number is at least `number`. Initially it is the first frame. With
   /// `changesOnly`, the frames are from then on those alone that change the game: those with knots or events,
-  /// as a frame that removes some has others in their place.
+  /// or moments of people of another room, as a frame that removes some has others in their place.
   void goTo(std::uint64_t number, bool changesOnly = false);
   /// Returns the number of the frame that `read` will read, or nothing after the last.
   std::optional<std::uint64_t> step();
@@ -58,6 +59,7 @@ class FrameReader {
   ViewerReader viewers_;
   HeadsetReader headset_;
   ForceReader force_;
+  ToldReader told_;
 };
 
 }  // namespace carom

@@ -76,11 +76,14 @@
 //       eyes of the frame are (engine/linked/promise.h); waits: 1 if the people here did not live on; pace:
 //       how much faster they lived than they would alone; digest_s: both games are the same up to this board
 //       time.
-//   link_person(frame, room, viewer, number, t_s, x_m, y_m, z_m, proper_time_s)
+//   link_person(frame, room, viewer, number, t_s, x_m, y_m, z_m, proper_time_s, person, kind, hand_t_s,
+//               hand_x_m, hand_y_m, hand_z_m, facing_rad, has_hand, has_cue, cue_rad, caroms)
 //       The head of a viewer of the other room as present `number` told it: equal to the bit to the row of
-//       the table viewer in that room's file.
+//       the table viewer in that room's file. person counts the viewers of that room from 0. kind is 1 where
+//       the person appears; it is 2, and number is 0, where they have gone, which no present told; else it is
+//       0. The other columns are of the hand and of the ways in which head and cue point, as they are drawn.
 //   link_note(frame, room, what, value)
-//       paired, apart, gone, broken, back, put off, mismatch, refused.
+//       paired, apart, gone, broken, back, put off, mismatch, resynchronised, refused.
 //   run(first_frame, started_utc, program)
 //       Each time that writing began: the first, and one for each continuation of the session and each
 //       further game.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/billiard/billiard.h"
+#include "engine/linked/told_path.h"
 
 namespace carom {
 
@@ -33,13 +34,11 @@ struct LinkRow {
   std::uint32_t digest_s = 0;  ///< both games are the same up to this board time
 };
 
-/// The moment of a head in another room, as a present told it.
+/// The moment of a person in another room, as a present told it.
 struct LinkPersonRow {
   std::uint32_t room = 0;
-  std::string viewer;
-  std::uint64_t number = 0;
-  Event head;
-  double properTime_s = 0.0;
+  std::uint64_t number = 0;  ///< of the present; 0: none told it, the person is gone
+  ToldMoment moment;
 };
 
 struct LinkNoteRow {

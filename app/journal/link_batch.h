@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,21 @@ class LinkWriter {
 
  private:
   SQLite::Statement row_, person_, note_;
+};
+
+/// Reads the moments of people of another room. The file of a session without a link has none.
+class ToldReader {
+ public:
+  explicit ToldReader(SQLite::Database& database);
+
+  static bool hasTable(const SQLite::Database& database);
+
+  /// Reads the moments that were told in a frame. Throws std::exception that gives the fault but not the
+  /// frame.
+  void read(std::uint64_t frame, std::vector<ToldMoment>& told);
+
+ private:
+  std::optional<SQLite::Statement> row_;  ///< empty without a link
 };
 
 }  // namespace carom

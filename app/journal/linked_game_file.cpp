@@ -80,7 +80,7 @@ void readPromises(SQLite::Database& database, LinkedGameRows& game) {
 void readHeads(SQLite::Database& database, std::int64_t firstOfGame, LinkedGameRows& game) {
   SQLite::Statement told = between(database,
                                    "SELECT viewer, t_s, x_m, y_m, z_m, proper_time_s FROM link_person "
-                                   "WHERE frame BETWEEN ? AND ? ORDER BY rowid",
+                                   "WHERE number > 0 AND frame BETWEEN ? AND ? ORDER BY rowid",
                                    game.firstFrame, game.lastFrame);
   while (told.executeStep()) game.told.emplace_back(textOf(told, 0), numbersOf(told, 1));
   SQLite::Statement head =

@@ -76,7 +76,7 @@ class RowWriter {
 /// refuse.
 class RowReader {
  public:
-  explicit RowReader(SQLite::Statement& row) : row_(row) {}
+  explicit RowReader(SQLite::Statement& row, int firstColumn = 0) : row_(row), column_(firstColumn) {}
 
   void operator()(const ColumnName&, double& value) {
     const SQLite::Column column = row_.getColumn(column_++);
@@ -110,7 +110,7 @@ class RowReader {
 
  private:
   SQLite::Statement& row_;
-  int column_ = 0;
+  int column_;
 };
 
 /// Returns the statement that writes a row, of `columns` separated by commas.

@@ -12,7 +12,7 @@ namespace carom {
 /// The SQLite application id of a journal ("Caro") and the version of its tables: another one whenever a
 /// column or a table is added. Files of other versions are refused.
 inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 10;
+inline constexpr int kJournalVersion = 11;
 
 /// Returns the key of the table session under which the name of a viewer stands: viewer, viewer_2, …
 inline std::string keyOfViewer(std::size_t viewer) {
@@ -34,7 +34,7 @@ struct SessionFacts {
   std::array<int, 2> eyePixels{};                 ///< of each eye's picture in a headset; 0: there was none
   double textSize = 1.0;                          ///< of the walls' words, a factor
   bool hasClass = false;                          ///< a class takes part, whose votes are kept; not read back
-  bool isLinked = false;                          ///< with another room, which is kept; not read back
+  bool isLinked = false;                          ///< with another room, which is kept
   bool isAnotherGame = false;  ///< of a file that goes on: a game after those in it; not read back
 };
 

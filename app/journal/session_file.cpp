@@ -135,6 +135,7 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
       facts_.eyePixels[axis] =
           static_cast<int>(std::clamp(std::strtol(pixels.c_str(), nullptr, 10), 0L, kMost));
     }
+    facts_.isLinked = ToldReader::hasTable(database);
     for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer) {
       const std::string name = printable(fact(keyOfViewer(viewer)));
       if (name.empty()) break;

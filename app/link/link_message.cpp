@@ -266,6 +266,16 @@ void fields(Wire& wire, LinkSettings& settings) {
   flag(wire, settings.isFrozen);
 }
 template <class Wire>
+void fields(Wire& wire, LinkTurns& message) {
+  constexpr double kMost = 1e15;  // of any number of a turn
+  wire.number(message.second);
+  wire.number(message.strokes);
+  wire.count(message.turns, kMostTurnsTold, "a number of turns");
+  for (FinalTurn& turn : message.turns) {
+    for (double& number : turn) wire.within(number, -kMost, kMost, "a number of a turn");
+  }
+}
+template <class Wire>
 void fields(Wire& wire, LinkBye& bye) {
   wire.name(bye.reason, kMostWords, "a reason");
 }

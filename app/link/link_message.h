@@ -19,18 +19,21 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "engine/linked/final_digest.h"
 #include "engine/linked/seats.h"
 #include "engine/linked/told.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
 
-inline constexpr std::uint32_t kLinkProtocol = 1;
+inline constexpr std::uint32_t kLinkProtocol = 2;
 /// The most bytes of a message, of a welcome, of its scenario, and of a name.
 inline constexpr std::size_t kMostLinkBytes = 64 << 10, kMostWelcomeBytes = 2 << 20;
 inline constexpr std::size_t kMostScenarioBytes = 256 << 10, kMostLinkName = 24;
 /// The most rooms of a game, and meshes of a scenario.
 inline constexpr std::uint32_t kMostRooms = 4, kMostLinkMeshes = 64;
+/// The most turns of a second that are told.
+inline constexpr std::uint32_t kMostTurnsTold = 800;
 /// Nothing is farther from the board.
 inline constexpr double kMostLinkPlace_m = 1000.0;
 
@@ -71,10 +74,10 @@ struct LinkWelcome {
 };
 /// Beside the promise, how a person is drawn.
 struct LinkPerson {
-  glm::dquat attitude{1.0, 0.0, 0.0, 0.0};  ///< roomFromHead
+  glm::dquat attitude{1.0, 0.0, 0.0, 0.0};  ///< roomFromHead, of a head with x right, y forward, z up
   Vec3 celerity_m_s{0.0};                   ///< room frame
   std::uint32_t held = 0;                   ///< the puck for which the cue is held, from 1 on; 0: none
-  Vec3 pull_m{0.0};                         ///< of the cue, room frame
+  Vec3 pull_m{0.0};  ///< the way in which the cue would strike, room frame; 0: it is not drawn back
   std::uint32_t caroms = 0;
 };
 /// A room after one of its frames.
@@ -96,6 +99,13 @@ struct LinkDigest {
   std::uint32_t second = 0;
   std::uint64_t digest = 0;
 };
+/// The turns of a second before which two games have differed for the first time, by which it is found out
+/// where.
+struct LinkTurns {
+  std::uint32_t second = 0;
+  std::uint64_t strokes = 0;  ///< digest of all strokes of the game before it
+  std::vector<FinalTurn> turns;
+};
 struct LinkSettings {
   std::uint32_t number = 0;  ///< the newest counts
   double lightSpeedShown_m_s = 0.0;
@@ -105,7 +115,7 @@ struct LinkBye {
   std::string reason;
 };
 using LinkMessage = std::variant<LinkHello, LinkPing, LinkPong, LinkWelcome, LinkReady, LinkAccept,
-                                 LinkPresent, LinkStroke, LinkDigest, LinkSettings, LinkBye>;
+                                 LinkPresent, LinkStroke, LinkDigest, LinkSettings, LinkBye, LinkTurns>;
 
 /// The line can be used no more; what() says what was read, in words for people.
 class BrokenLink : public std::runtime_error {

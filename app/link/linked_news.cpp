@@ -2,6 +2,7 @@
 #include <sys/random.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,7 +23,8 @@ std::uint64_t anyNumber() {
   return number;
 }
 
-constexpr double kFreezes_s = 60.0;  // for all rooms at most
+constexpr double kMostAside_s = 3600.0;  // between the times of two rooms
+constexpr double kFreezes_s = 60.0;      // for all rooms at most
 
 }  // namespace
 
@@ -65,7 +67,7 @@ void LinkedPlay::hear(const LineNews& news) {
           part(state_ == LinkState::playing ? "gone" : "refused", message.reason);
         } else if constexpr (std::is_same_v<Message, LinkWelcome> || std::is_same_v<Message, LinkReady> ||
                              std::is_same_v<Message, LinkStroke> || std::is_same_v<Message, LinkDigest> ||
-                             std::is_same_v<Message, LinkSettings>) {
+                             std::is_same_v<Message, LinkSettings> || std::is_same_v<Message, LinkTurns>) {
           hear(message);
         }
       },
@@ -105,6 +107,7 @@ std::string LinkedPlay::refusalOf(const LinkHello& hello) const {
 }
 
 void LinkedPlay::hear(const LinkHello& hello, const LineNews& news) {
+  if (connection_ && news.connection == connection_) return;  // told again
   const std::string refusal = refusalOf(hello);
   if (!refusal.empty()) {
     heard_.notes.push_back({"refused", fmt::format("{}: {}", hello.room, refusal)});
@@ -125,6 +128,7 @@ void LinkedPlay::adopt(std::uint64_t connection, const LinkHello& hello) {
   otherFloor_ = hello.floor;
   state_ = LinkState::joining;
   isInvited_ = false;
+  invitedTo_ = 0;
   other_.reset();
   presentAt_ = movedAt_ = now_;
 }
@@ -168,6 +172,12 @@ void LinkedPlay::invite(LinkClock::time_point now) {
 
 void LinkedPlay::hear(const LinkWelcome& welcome) {
   if (self_.hosts) return part("refused", "it invites its host");
+  if (std::exchange(invitedTo_, welcome.game) == welcome.game) return;  // told again
+  if (differs_ || turnsThere_)
+    heard_.notes.push_back(
+        {"resynchronised",
+         fmt::format("at {} s from {}", differs_.value_or(turnsThere_ ? turnsThere_->second : 0),
+                     otherName_)});
   invitation_ = welcome;
   isWaiting_ = true;
   first_.reset();
@@ -224,6 +234,9 @@ void LinkedPlay::hear(const LinkPresent& message, LinkClock::time_point at) {
     return part("refused", other_->broken());
   }
   const double moment_s = message.present.persons[0].head.t_s;
+  if (own_ && std::abs(moment_s - own_->present().persons[0].head.t_s) > kMostAside_s)
+    return part("refused", fmt::format("its time is {:.0f} s, expected within an hour of {:.0f} s here",
+                                       moment_s, own_->present().persons[0].head.t_s));
   presentAt_ = at;
   if (moment_s > newest_s_) movedAt_ = at;
   newest_s_ = std::max(newest_s_, moment_s);
@@ -238,10 +251,10 @@ void LinkedPlay::hear(const LinkStroke& stroke) {
   if (!other_) return;
   const Judgement judged = other_->hear(stroke.told);
   if (judged == Judgement::old) return;
-  const std::string fault =
-      judged == Judgement::broken
-          ? other_->broken()
-          : strokeFault(stroke.told.stroke, game_.billiard.pucks, game_.billiard.lightSpeed_m_s);
+  std::string fault = judged == Judgement::broken ? other_->broken()
+                                                  : strokeFault(stroke.told.stroke, game_.billiard.pucks,
+                                                                game_.billiard.lightSpeed_m_s);
+  if (fault.empty() && strikesTooOften(stroke.told)) fault = "it strikes more than 20 times a second";
   if (!fault.empty()) {
     banned_.insert(otherName_);
     return part("refused", fault);
@@ -250,11 +263,28 @@ void LinkedPlay::hear(const LinkStroke& stroke) {
   heard_.strokes.push_back({otherNumber(), stroke.told});
 }
 
+/// Returns whether a person would have struck more than twenty times in a second of the board.
+bool LinkedPlay::strikesTooOften(const StrokeTold& told) const {
+  constexpr std::ptrdiff_t kMost = 20;
+  const auto near = [&](const LinkStroke& made) {
+    return made.room == otherNumber() && made.told.viewer == told.viewer &&
+           std::abs(made.told.stroke.at_s - told.stroke.at_s) < 0.5;
+  };
+  return std::ranges::count_if(game_.strokes, near) >= kMost;
+}
+
 void LinkedPlay::hear(const LinkDigest& digest) {
   constexpr std::size_t kMostWaiting = 4000;  // board seconds
   if (digest.second == 0 || others_.size() > kMostWaiting) return;
   others_[digest.second] = digest.digest;
   judge(digest.second);
+}
+
+void LinkedPlay::hear(const LinkTurns& turns) {
+  if (state_ != LinkState::playing) return;
+  turnsThere_ = turns;
+  tellTurns(turns.second);
+  findDifference();
 }
 
 void LinkedPlay::hear(const LinkSettings& settings) {
@@ -275,6 +305,8 @@ void LinkedPlay::part(const char* what, const std::string& why) {
   connection_ = 0;
   other_.reset();
   others_.clear();
+  differs_.reset();
+  turnsThere_.reset();
   isInvited_ = false;
   isAccepted_ = joins_;  // who has joined lives on alone
   state_ = LinkState::alone;
@@ -290,6 +322,8 @@ void LinkedPlay::lookWhetherGone(LinkClock::time_point now) {
   if (since_s(presentAt_) > most_s) return part("gone", fmt::format("it was not heard for {:.0f} s", most_s));
   if (state_ == LinkState::playing && !settings_.isFrozen && since_s(movedAt_) > 2.0 * most_s)
     return part("gone", fmt::format("its time stood still for {:.0f} s", 2.0 * most_s));
+  if (differs_ && since_s(differsAt_) > most_s)
+    return part("mismatch", fmt::format("the games differ in board second {}", *differs_ - 1));
   if (settings_.isFrozen && since_s(movedAt_) > kFreezes_s && self_.hosts) {
     settings_ = {settings_.number + 1, settings_.lightSpeedShown_m_s, false};
     if (connection_) line_->send(connection_, settings_);

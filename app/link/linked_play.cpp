@@ -8,10 +8,13 @@
 #include <fmt/format.h>
 
 #include "app/link/stroke_check.h"
+#include "engine/base/xxh3.h"
 #include "engine/linked/pace.h"
 
 namespace carom {
 namespace {
+
+constexpr std::size_t kTurnsKept_s = 60;
 
 double secondsBetween(LinkClock::time_point from, LinkClock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
@@ -50,6 +53,11 @@ void LinkedPlay::play(LinkedGame game) {
   digests_.clear();
   others_.clear();
   sameUntil_s_ = 0;
+  turns_.clear();
+  differs_.reset();
+  turnsThere_.reset();
+  turnsTold_ = 0;
+  isBuiltAnew_ = false;
   number_ = 0;
   banned_.clear();
   isInvited_ = isAccepted_ = false;
@@ -144,6 +152,8 @@ void LinkedPlay::compare(std::span<const WorldLine> pucks) {
   while (digest.second() + 1.0 <= until_s) {
     digest.add(pucks, digest.second() + 1.0);
     digests_.push_back(digest.value());
+    turns_[digest.second()].assign(digest.turns().begin(), digest.turns().end());
+    if (turns_.size() > kTurnsKept_s) turns_.erase(turns_.begin());
     if (connection_ && state_ == LinkState::playing)
       line_->send(connection_, LinkDigest{digest.second(), digest.value()});
     judge(digest.second());
@@ -160,8 +170,83 @@ void LinkedPlay::judge(std::uint32_t second) {
     sameUntil_s_ = std::max(sameUntil_s_, second);
     return;
   }
-  banned_.insert(otherName_);
-  part("mismatch", fmt::format("the games differ in board second {}: each room plays on alone", second - 1));
+  if (differs_) return;
+  differs_ = second;
+  differsAt_ = now_;
+  tellTurns(second);
+  findDifference();
+}
+
+/// Tells the turns of a second, once.
+void LinkedPlay::tellTurns(std::uint32_t second) {
+  const auto found = turns_.find(second);
+  if (found == turns_.end() || turnsTold_ == second || !connection_) return;
+  turnsTold_ = second;
+  LinkTurns message{second, digestOfStrokes(second), found->second};
+  message.turns.resize(std::min<std::size_t>(message.turns.size(), kMostTurnsTold));
+  line_->send(connection_, message);
+}
+
+/// Names the first turn that differs, once both rooms have told theirs. Where one room lacks a stroke, the
+/// game of who has joined is built anew; otherwise they compute differently, and each room plays on alone.
+void LinkedPlay::findDifference() {
+  if (!differs_ || !turnsThere_ || turnsThere_->second != *differs_) return;
+  const std::uint32_t second = *differs_;
+  std::string words = fmt::format("the games differ in board second {}", second - 1);
+  if (const auto difference = firstDifference(turns_[second], turnsThere_->turns)) {
+    std::vector<std::string> names;
+    for (const Puck& puck : game_.billiard.pucks) names.push_back(puck.name);
+    std::ranges::sort(names);
+    words +=
+        fmt::format(", first in turn {} of {} at {:.6f} s", difference->turn,
+                    difference->puck < names.size() ? names[difference->puck] : "a puck that is not here",
+                    difference->t_s);
+  }
+  const bool isStrokeMissing = turnsThere_->strokes != digestOfStrokes(second);
+  if (!isStrokeMissing || isBuiltAnew_) {
+    banned_.insert(otherName_);
+    return part("mismatch", words);
+  }
+  heard_.notes.push_back({"mismatch", otherName_ + ": " + words});
+  isBuiltAnew_ = true;
+  if (!joins_) buildAnew(second);  // who has joined is invited again
+}
+
+/// As the host invites the other room again, to the game as it is here: its own, in which a stroke was
+/// missing, is void.
+void LinkedPlay::buildAnew(std::uint32_t second) {
+  heard_.notes.push_back({"resynchronised", fmt::format("{}: at {} s from here", otherName_, second)});
+  other_.reset();
+  others_.clear();
+  differs_.reset();
+  turnsThere_.reset();
+  isInvited_ = false;
+  state_ = LinkState::joining;
+  presentAt_ = movedAt_ = now_;
+}
+
+/// Of the strokes before a board second that nothing can change any more: both rooms know those.
+std::uint64_t LinkedPlay::digestOfStrokes(std::uint32_t second) const {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<double, 8>>
+      strokes;  // in an order of their own
+  for (const LinkStroke& made : game_.strokes) {
+    const Stroke& stroke = made.told.stroke;
+    if (stroke.at_s >= second) continue;
+    strokes[{made.room, made.told.number}] = {static_cast<double>(stroke.puck),
+                                              stroke.at_s,
+                                              stroke.from_m->x,
+                                              stroke.from_m->y,
+                                              stroke.from_m->z,
+                                              stroke.momentum_kg_m_s.x,
+                                              stroke.momentum_kg_m_s.y,
+                                              stroke.offset_m};
+  }
+  std::uint64_t digest = 0;
+  for (const auto& [number, values] : strokes) {
+    digest = XXH3_64bits_withSeed(&number, sizeof number, digest);
+    digest = XXH3_64bits_withSeed(values.data(), sizeof values, digest);
+  }
+  return digest;
 }
 
 void LinkedPlay::tellSettings(double lightSpeedShown_m_s, bool isFrozen) {

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/link/line.h"
@@ -59,7 +60,7 @@ constexpr const char* wordFor(LinkState state) {
 /// Something that has happened, in the words of the session file.
 struct LinkNote {
   static constexpr std::string_view kPaired = "paired", kGone = "gone", kBack = "back",
-                                    kMismatch = "mismatch";
+                                    kMismatch = "mismatch", kResynchronised = "resynchronised";
 
   std::string what, value;  ///< those; or apart, broken, refused
 };
@@ -110,6 +111,7 @@ class LinkedPlay {
 
   /// All strokes of the game so far.
   std::span<const LinkStroke> strokes() const { return game_.strokes; }
+  double lightSpeed_m_s() const { return game_.billiard.lightSpeed_m_s; }  ///< of the game
   double lightSpeedShown_m_s() const { return settings_.lightSpeedShown_m_s; }
 
   /// This room's own side, once it lives.
@@ -154,6 +156,7 @@ class LinkedPlay {
   void hear(const LinkPresent& message, LinkClock::time_point at);
   void hear(const LinkStroke& stroke);
   void hear(const LinkDigest& digest);
+  void hear(const LinkTurns& turns);
   void hear(const LinkSettings& settings);
   void sayHello(std::uint64_t connection);
   std::string refusalOf(const LinkHello& hello) const;
@@ -164,7 +167,12 @@ class LinkedPlay {
   void paired();
   void lookWhetherGone(LinkClock::time_point now);
   void part(const char* what, const std::string& why);
+  bool strikesTooOften(const StrokeTold& told) const;
   void judge(std::uint32_t second);
+  void tellTurns(std::uint32_t second);
+  void findDifference();
+  void buildAnew(std::uint32_t second);
+  std::uint64_t digestOfStrokes(std::uint32_t second) const;
   std::vector<Event> othersHeads() const;
   double nearest_m() const;
   std::uint32_t strokesOf(std::uint32_t room) const;
@@ -190,6 +198,11 @@ class LinkedPlay {
   std::vector<std::uint64_t> digests_;
   std::map<std::uint32_t, std::uint64_t> others_;  ///< digests that wait for one's own
   std::uint32_t sameUntil_s_ = 0;
+  std::map<std::uint32_t, std::vector<FinalTurn>> turns_;  ///< of the last minute's seconds
+  std::optional<std::uint32_t> differs_;                   ///< the second before which the games differ
+  std::optional<LinkTurns> turnsThere_;                    ///< as the other room has told them
+  std::uint32_t turnsTold_ = 0;                            ///< the second whose turns were told
+  bool isBuiltAnew_ = false;                               ///< in this game once
 
   // The other room.
   LinkState state_ = LinkState::alone;
@@ -198,11 +211,12 @@ class LinkedPlay {
   std::vector<std::string> otherViewers_;
   Floor otherFloor_;
   std::optional<LinkWelcome> invitation_;
+  std::uint64_t invitedTo_ = 0;       ///< the game of the newest invitation on this line
   bool isWaiting_ = false;            ///< it is invited, and has not joined yet; meanwhile have come:
   std::optional<LinkPresent> first_;  ///< the host's first present,
   std::vector<LinkStroke> early_;     ///< and strokes
   std::optional<OtherRoom> other_;
-  LinkClock::time_point presentAt_{}, movedAt_{}, now_{};
+  LinkClock::time_point presentAt_{}, movedAt_{}, differsAt_{}, now_{};
   double newest_s_ = 0.0;  ///< board time of its newest present
   bool isInvited_ = false;
   std::set<std::string> banned_;  ///< rooms that broke a promise in this game

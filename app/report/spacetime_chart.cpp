@@ -13,10 +13,11 @@
 namespace carom {
 namespace {
 
-constexpr double kShown_s = 5.0;   // board time shown below the present event
-constexpr double kLeast_s = 0.2;   // shortest board time for a diagram
-constexpr double kFuture = 0.5;    // fraction of the time below the present that is shown above it
-constexpr double kMargin_m = 0.3;  // beside the board
+constexpr double kShown_s = 5.0;    // board time shown below the present event
+constexpr double kLeast_s = 0.2;    // shortest board time for a diagram
+constexpr double kSteady_s = 0.15;  // of a told head, a velocity from a shorter time is noise
+constexpr double kFuture = 0.5;     // fraction of the time below the present that is shown above it
+constexpr double kMargin_m = 0.3;   // beside the board
 /// Colours of the flashes that the legend names, told apart by the colour-blind (Okabe and Ito 2008).
 const std::array<glm::vec3, 6> kFlashColours{{{0.84F, 0.37F, 0.0F},
                                               {0.0F, 0.45F, 0.70F},
@@ -81,10 +82,21 @@ double halfExtent_m(const DiagramSubject& subject, char along) {
   return subject.board ? (along == 'x' ? subject.board->length_m : subject.board->width_m) / 2 : 1.0;
 }
 
-/// Sets size and ranges: light goes at 45°, and the board and my present event are in sight.
-void setRanges(Chart& chart, double c_m_s, const Span& span, double half_m, const glm::dvec2& here) {
+/// Returns the least and greatest place across of the people of another room and of me, as far as told.
+glm::dvec2 reachOfPeople(const DiagramSubject& subject, const Plane& plane) {
+  glm::dvec2 reach_m(plane(subject.mine.back()).x);
+  for (const OtherObserver& other : subject.told) {
+    if (other.line.empty()) continue;
+    const double there_m = plane(other.line.back()).x;
+    reach_m = {std::min(reach_m.x, there_m), std::max(reach_m.y, there_m)};
+  }
+  return reach_m;
+}
+
+/// Sets size and ranges: light goes at 45°, and the board and all people's presents are in sight.
+void setRanges(Chart& chart, double c_m_s, const Span& span, double half_m, const glm::dvec2& people_m) {
   chart.yRange = c_m_s * glm::dvec2(span.from_s, span.until_s);
-  chart.xRange = {std::min(-half_m, here.x) - kMargin_m, std::max(half_m, here.x) + kMargin_m};
+  chart.xRange = {std::min(-half_m, people_m.x) - kMargin_m, std::max(half_m, people_m.y) + kMargin_m};
   // The width follows from light at 45°, but is limited; if the limit is reached, more future is shown.
   const double least_m =
       (chart.xRange.y - chart.xRange.x) * (kHeight_px - kChartBottom_px - kChartTop_px) / kMostWidth_px;
@@ -185,14 +197,15 @@ void addMe(Chart& chart, const DiagramSubject& subject, const Plane& plane, doub
 
 /// Adds the world lines of the others in the room, their present events, and the lines of simultaneity of
 /// each.
-void addOthers(Chart& chart, const DiagramSubject& subject, const Plane& plane, double from_s) {
+void addOthers(Chart& chart, std::span<const OtherObserver> others, std::size_t firstColour,
+               const Plane& plane, double from_s) {
   using Style = ChartLine::Style;
   constexpr std::array<glm::vec3, kMostViewers - 1> kColours{
       {{0.65F, 0.1F, 0.5F}, {0.0F, 0.5F, 0.35F}, {0.55F, 0.35F, 0.05F}}};
-  for (std::size_t i = 0; i < subject.others.size(); ++i) {
-    const OtherObserver& other = subject.others[i];
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const OtherObserver& other = others[i];
     if (other.line.empty()) continue;
-    const glm::vec3 colour = kColours[i % kColours.size()];
+    const glm::vec3 colour = kColours[(firstColour + i) % kColours.size()];
     ChartLine line{other.name, {}, colour, 3.5F, Style::solid};
     for (std::size_t point = 0; point < other.line.size(); ++point) {
       if (point + 1 == other.line.size() || other.line[point + 1].t_s >= from_s)
@@ -245,6 +258,25 @@ void follow(DiagramSubject& subject, const FrameRecord& record, std::span<const 
   }
 }
 
+void followTold(DiagramSubject& subject, std::span<const ToldPath> people, double from_s) {
+  subject.told.clear();
+  for (const ToldPath& path : people) {
+    OtherObserver& other = subject.told.emplace_back();
+    for (const ToldMoment& moment : path.moments()) {
+      if (moment.kind == ToldKind::ends || moment.head.t_s < from_s) continue;
+      other.name = moment.nameText();
+      other.line.push_back(moment.head);
+    }
+    if (other.line.size() < 2) continue;
+    const Event& last = other.line.back();
+    const auto before =
+        std::ranges::find_if(other.line.rbegin() + 1, other.line.rend(),
+                             [&](const Event& event) { return event.t_s < last.t_s - kSteady_s; });
+    const Displacement way = last - (before == other.line.rend() ? other.line.front() : *before);
+    other.beta = way.dr_m / (subject.c_m_s * way.dt_s);
+  }
+}
+
 Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   const Plane plane(frame.along, subject.c_m_s);
   const Event present = subject.mine.back();
@@ -263,13 +295,14 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   chart.yTitle = texts::diagram::kUpwards;
   const double half_m = halfExtent_m(subject, frame.along);
   const Span span{from_s, until_s};
-  setRanges(chart, subject.c_m_s, span, half_m, plane(present));
+  setRanges(chart, subject.c_m_s, span, half_m, reachOfPeople(subject, plane));
   if (subject.board) addCushions(chart, half_m);
   addBodies(chart, subject, plane, span);
   addSoftSides(chart, subject, plane, span);
   addMyAxes(chart, plane(present), plane.along(subject.beta));
   addEvents(chart, subject, plane, span);
-  addOthers(chart, subject, plane, from_s);
+  addOthers(chart, subject.others, 0, plane, from_s);
+  addOthers(chart, subject.told, subject.others.size(), plane, from_s);
   addMe(chart, subject, plane, from_s);
   return chart;
 }

@@ -36,6 +36,7 @@ struct DiagramSubject {
   std::vector<Event> mine;            ///< the observer's world line up to the present event; never empty
   Vec3 beta{0.0};                     ///< the observer's, at the present event
   std::vector<OtherObserver> others;  ///< whose presents are simultaneous with mine in the room's frame
+  std::vector<OtherObserver> told;    ///< people of another room, as far as was told of them
   std::vector<GameEvent> events;      ///< the events to mark
   std::vector<std::string> flashes;   ///< the names of the flashes
   /// Board time up to which all world lines are known; each ends there, or at its last knot if that is later.
@@ -52,6 +53,10 @@ void continueLine(std::vector<Event>& line, double c_m_s, const Event& here);
 /// Takes the observers of a frame: continues all world lines. The first viewer's is mine; `names` are those
 /// of all.
 void follow(DiagramSubject& subject, const FrameRecord& record, std::span<const std::string> names);
+
+/// Takes the people of another room, from a board time on.
+void followTold(DiagramSubject& subject, std::span<const ToldPath> people,
+                double from_s = -std::numeric_limits<double>::infinity());
 
 struct DiagramFrame {
   char along = 'x';  ///< the board axis shown beside time: x or y

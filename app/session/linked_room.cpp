@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -14,12 +15,40 @@ namespace {
 
 constexpr double kNoticed_s = 0.3;  // a shorter stillness is not explained
 constexpr double kMinute_s = 60.0;
+constexpr double kGlide_s = 2.0;  // of board time, for which people who are gone are still there
+
+/// Returns the turn of a motion, which is a turn and a boost after it, of a vector of the room.
+Vec3 turned(const Lorentz& boardFromRoom, const Vec3& inRoom) {
+  const Lorentz unboosted = Lorentz::boost(-boardFromRoom.u(), boardFromRoom.lightSpeed_m_s());
+  return (unboosted * (boardFromRoom * Displacement{0.0, inRoom})).dr_m;
+}
+
+double azimuth_rad(const Vec3& onBoard) { return std::atan2(onBoard.y, onBoard.x); }
+
+/// Returns a person's moment as it is drawn here.
+ToldMoment momentOf(const LinkPresent& message, std::size_t i, const Lorentz& boardFromRoom) {
+  const PersonTold& told = message.present.persons[i];
+  const LinkPerson& person = message.persons[i];
+  constexpr double kAtTheHead_m = 0.05;  // where there is none, the hand is told of as there
+  ToldMoment moment;
+  moment.person = i;
+  moment.head = told.head;
+  moment.hand = told.hand;
+  moment.properTime_s = told.properTime_s;
+  moment.facing_rad = azimuth_rad(turned(boardFromRoom, person.attitude * Vec3(0.0, 1.0, 0.0)));
+  moment.hasHand = glm::distance(told.hand.r_m, told.head.r_m) > kAtTheHead_m ? 1 : 0;
+  moment.hasCue = moment.hasHand && person.held > 0 && person.pull_m != Vec3(0.0) ? 1 : 0;
+  moment.cue_rad = moment.hasCue ? azimuth_rad(turned(boardFromRoom, person.pull_m)) : 0.0;
+  moment.caroms = person.caroms;
+  return moment;
+}
 
 }  // namespace
 
 void LinkedRoom::begin(bool isHall) {
   isHall_ = isHall;
   invitation_.reset();
+  shown_.clear();
   isFirst_ = true;
   strokesIn_ = strokesOut_ = putOff_ = 0;
   waited_s_ = waiting_ = 0.0;
@@ -46,8 +75,10 @@ void LinkedRoom::say(const LinkNote& note, Announcements& announcements, Decisio
     announcements.say(fmt::format(texts::message::kLinkGone, other), decision);
   if (note.what == LinkNote::kBack)
     announcements.say(fmt::format(texts::message::kLinkBack, other), decision);
-  if (note.what == LinkNote::kMismatch)
-    announcements.say(fmt::format(texts::message::kLinkMismatch, other), decision);
+  if (note.what == LinkNote::kMismatch && play_.state() == LinkState::alone)
+    announcements.say(fmt::format(texts::message::kLinkMismatch, note.value), decision);
+  if (note.what == LinkNote::kResynchronised)
+    announcements.say(fmt::format(texts::message::kLinkResynchronised, note.value), decision);
 }
 
 HandStroke LinkedRoom::rowOf(const LinkStroke& stroke) const {
@@ -76,13 +107,9 @@ void LinkedRoom::hear(Game& game, Announcements& announcements, Decision& decisi
     decision.link.strokes.push_back(rowOf(stroke));
   }
   for (const LinkNote& note : heard.notes) say(note, announcements, decision);
-  for (const LinkPresent& present : heard.presents) {
-    for (std::size_t i = 0; i < present.present.size; ++i) {
-      const PersonTold& person = present.present.persons[i];
-      decision.link.persons.push_back({present.room, play_.otherViewers().at(i), present.present.number,
-                                       person.head, person.properTime_s});
-    }
-  }
+  decision.frame.told.clear();
+  for (const LinkPresent& present : heard.presents) show(present, decision.frame, decision.link);
+  if (play_.state() == LinkState::alone) showGone(decision.frame, decision.link);
   if (heard.settings) {
     decision.commands.emplace_back(SetLightSpeed{heard.settings->lightSpeedShown_m_s});
     decision.commands.emplace_back(SetView{&TimeViews::frozen, heard.settings->isFrozen});
@@ -91,6 +118,32 @@ void LinkedRoom::hear(Game& game, Announcements& announcements, Decision& decisi
     invitation_ = std::move(invitation);
     decision.commands.emplace_back(PlayScenario{invited_, true});
   }
+}
+
+/// Shows the people of a present.
+void LinkedRoom::show(const LinkPresent& present, FrameState& frame, LinkNews& news) {
+  const Lorentz boardFromRoom(play_.lightSpeed_m_s(), present.boardFromRoom);
+  shown_.resize(std::max(shown_.size(), present.present.size));
+  for (std::size_t i = 0; i < present.present.size; ++i) {
+    ToldMoment moment = momentOf(present, i, boardFromRoom);
+    moment.setName(play_.otherViewers().at(i));
+    if (shown_[i].nameText().empty()) moment.kind = ToldKind::begins;
+    shown_[i] = moment;
+    frame.told.push_back(moment);
+    news.persons.push_back({present.room, present.present.number, moment});
+  }
+}
+
+/// Lets the people go who were there: they stay for a while as they were told of last, and vanish.
+void LinkedRoom::showGone(FrameState& frame, LinkNews& news) {
+  for (ToldMoment& last : shown_) {
+    last.kind = ToldKind::ends;
+    last.head.t_s += kGlide_s;
+    last.hand.t_s += kGlide_s;
+    frame.told.push_back(last);
+    news.persons.push_back({play_.otherNumber(), 0, last});
+  }
+  shown_.clear();
 }
 
 std::optional<ObserverViews> LinkedRoom::move(const Scenario& scenario, RoomMotion& room,
@@ -122,7 +175,21 @@ std::optional<ObserverViews> LinkedRoom::move(const Scenario& scenario, RoomMoti
   return room.advanceIf(step, std::span(paces).subspan(hurry == 1.0 ? 1 : 0), isAllowed);
 }
 
-void LinkedRoom::tellWaiting(bool waits, double step_s, Announcements& announcements) {
+/// Returns where the other room is, and its people as their light tells of them.
+std::string LinkedRoom::markOf(const World& world, const Event& eye) const {
+  std::string words = fmt::format(texts::message::kLinkMark, play_.otherName(), play_.slack_s());
+  for (const ToldPath& path : world.people) {
+    const auto seen =
+        path.at([&](const Event& event) { return afterLightOf_s(event, eye, play_.lightSpeed_m_s()); });
+    if (!seen) continue;
+    words += fmt::format(texts::message::kLinkPerson, seen->moment->nameText(), seen->properTime_s);
+    if (seen->moment->caroms > 0) words += fmt::format(texts::message::kLinkCaroms, seen->moment->caroms);
+  }
+  return words;
+}
+
+void LinkedRoom::tellWaiting(bool waits, double step_s, const World& world, const Event& eye,
+                             Announcements& announcements) {
   waited_s_ = waits ? waited_s_ + step_s : 0.0;
   std::string words;
   if (isHall_ || !play_.own()) {
@@ -131,9 +198,9 @@ void LinkedRoom::tellWaiting(bool waits, double step_s, Announcements& announcem
   } else if (waited_s_ > kNoticed_s) {
     words = fmt::format(texts::message::kLinkStill, play_.otherName());
   } else if (play_.state() == LinkState::playing) {
-    words = fmt::format(texts::message::kLinkMark, play_.otherName(), play_.slack_s());
-    // Once a second is often enough for a number.
-    if (kept_.starts_with(play_.otherName()) && frames_ % 60 != 0) words = kept_;
+    // Once a second is often enough for numbers.
+    const bool isRecent = kept_.starts_with(play_.otherName()) && frames_ % 60 != 0;
+    words = isRecent ? kept_ : markOf(world, eye);
   }
   if (words == kept_) return;
   kept_ = words;
@@ -163,7 +230,8 @@ void LinkedRoom::tell(const RoomMotion& room, const Game& game, const OperatorSe
     const EyeView& middle = viewer.observer.middle;
     if (viewer.hand.shown) hands_m[i] = viewer.hand.from_m - middle.positionInRoom_m;
     const HeadEstimate& head = viewers.head(i);
-    persons[i] = {head.pose.orientation, head.celerity_m_s, static_cast<std::uint32_t>(viewer.hand.target),
+    persons[i] = {glm::normalize(head.pose.orientation * roomFromPerson_), head.celerity_m_s,
+                  static_cast<std::uint32_t>(viewer.hand.target),
                   viewer.hand.pulling ? viewer.hand.towards : Vec3(0.0),
                   static_cast<std::uint32_t>(viewer.score.caroms)};
     std::size_t eye = 3 * i;

@@ -32,8 +32,11 @@ struct LinkReport {
 class LinkedRoom {
  public:
   /// `play` must outlive this object.
-  /// `invited`: the file name under which the game of an invitation is played.
-  LinkedRoom(LinkedPlay& play, std::string invited) : play_(play), invited_(std::move(invited)) {}
+  /// `invited`: the file name under which the game of an invitation is played; `axes`: of the room's frame.
+  LinkedRoom(LinkedPlay& play, std::string invited, const RoomAxes& axes)
+      : play_(play),
+        invited_(std::move(invited)),
+        roomFromPerson_(glm::quat_cast(glm::dmat3(axes.right, axes.forward, axes.up))) {}
 
   /// Begins another game of this room; of one that joins and waits for an invitation, `isHall`: time stands.
   void begin(bool isHall);
@@ -42,8 +45,10 @@ class LinkedRoom {
   void hear(Game& game, Announcements& announcements, Decision& decision);
   /// Lives on as far as the other room's promises allow. Returns nothing if the people here have to wait.
   std::optional<ObserverViews> move(const Scenario& scenario, RoomMotion& room, const RoomStep& step);
-  /// Says why the people wait, if they have waited for long enough to notice.
-  void tellWaiting(bool waits, double step_s, Announcements& announcements);
+  /// Says why the people wait, if they have waited for long enough to notice, or who is there as the first
+  /// viewer's `eye` sees them.
+  void tellWaiting(bool waits, double step_s, const World& world, const Event& eye,
+                   Announcements& announcements);
   /// Tells the other room of this frame, whose record has its viewers and hands. `waits`: the people did not
   /// live on.
   void tell(const RoomMotion& room, const Game& game, const OperatorSettings& settings, bool waits,
@@ -71,6 +76,9 @@ class LinkedRoom {
   LinkReport report() const;
 
  private:
+  void show(const LinkPresent& present, FrameState& frame, LinkNews& news);
+  void showGone(FrameState& frame, LinkNews& news);
+  std::string markOf(const World& world, const Event& eye) const;
   void say(const LinkNote& note, Announcements& announcements, Decision& decision);
   void addRows(Decision& decision) const;
 
@@ -78,7 +86,9 @@ class LinkedRoom {
 
   LinkedPlay& play_;
   std::string invited_;
+  glm::dquat roomFromPerson_;  ///< turns x right, y forward, z up
   std::optional<LinkWelcome> invitation_;
+  std::vector<ToldMoment> shown_;  ///< the last moment of each of the people who are shown
   bool isHall_ = false, isFirst_ = true;
   double waited_s_ = 0.0;
   std::uint64_t frames_ = 0, strokesIn_ = 0, strokesOut_ = 0, putOff_ = 0;

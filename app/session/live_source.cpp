@@ -71,7 +71,10 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   if (timePasses) Players::feel(world_, inputs_, decision.frame.record);
   players_.act(rules, room_.viewers(), inputs_, game_, announcements_, decision);
   if (timePasses) players_.see(world_, settings, announcements_, decision);
-  if (link_) link_->tellWaiting(still && !stands, times.step_s, announcements_);
+  if (link_) {
+    const Event& eye = decision.frame.record.viewers.front().observer.middle.observation;
+    link_->tellWaiting(still && !stands, times.step_s, world_, eye, announcements_);
+  }
   tell(input.commands, settings, stands, decision);
   playGame(settings, decision.frame);
   if (link_) link_->tell(room_, game_, settings, !timePasses, decision);

@@ -37,6 +37,8 @@ RecordedGame wholeGame(SessionFile& session, std::span<const WorldLine> atStart,
   game.news.record.truncateFrom_s = 0.0;
   game.news.record.eventsKept = 0;
   game.news.events = game.world.events;
+  for (const ToldPath& person : game.world.people)
+    game.news.told.insert(game.news.told.end(), person.moments().begin(), person.moments().end());
   for (std::size_t body = 0; body < atStart.size(); ++body) {
     for (const Knot& knot : game.world.histories[body].knots().subspan(atStart[body].knots().size())) {
       game.news.knots.push_back({body, knot});
@@ -100,6 +102,7 @@ void RecordedSource::bringGame() {
   FrameState news = (leftAlone_ ? wholeGame(session_, atStart_, here) : wholeGame(session_, atStart_)).news;
   shown_.knots = std::move(news.knots);
   shown_.events = std::move(news.events);
+  shown_.told = std::move(news.told);
   shown_.record.truncateFrom_s = news.record.truncateFrom_s;
   shown_.record.eventsKept = news.record.eventsKept;
   session_.goTo(here + 1);
@@ -124,6 +127,7 @@ void RecordedSource::next(const FrameTimes& times, const FrameInput& input, Oper
   } else if (!leftAlone_ || !moves) {
     shown_.knots.clear();
     shown_.events.clear();
+    shown_.told.clear();
     shown_.record.truncateFrom_s = std::numeric_limits<double>::infinity();
     shown_.record.eventsKept = std::numeric_limits<std::uint64_t>::max();
   }

@@ -17,6 +17,7 @@
 #include "cave/frame/pacer.h"
 #include "cave/overlay/band_layout.h"
 #include "cave/scene/kept_light.h"
+#include "cave/scene/person_model.h"
 #include "cave/scene/table_model.h"
 #include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
@@ -87,6 +88,7 @@ void buildLitScene(const Cluster& cluster, SessionSetup& setup) {
   std::string light;
   onAllRanks(cluster, [&] {
     setup.scene = sceneOf(setup.scenario, setup.tessellation);
+    if (setup.people) addPeople(setup.scene);
     if (cluster.rank() > 0) return;
     lightScene(setup.scene, folderOfLight());
     light = lightOf(setup.scene);
@@ -147,6 +149,9 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   setup.scenario = files.scenario(options.scenario);
   setup.hideRight = options.hideRight;
   setup.mayLeave = options.mayLeave;
+  std::string people = options.people ? "people" : "";
+  cluster.share(people);
+  setup.people = !people.empty();
   adaptGame(setup);
   onAllRanks(cluster, [&] {
     if (options.live && cluster.rank() == 0) openTraces(setup.rig);

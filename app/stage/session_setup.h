@@ -39,6 +39,7 @@ struct SetupOptions {
   bool hideRight = false;           ///< lessons do not tell the right answer
   bool mayLeave = true;             ///< the walls have buttons for other games; in a study they do not
   double textSize = 1.0;            ///< of the walls' words, a factor
+  bool people = false;              ///< of another room are shown; rank 0 decides
   bool byMouse = false;  ///< mouse and keys move heads and wands in the place of the rig's trackers
 };
 
@@ -46,6 +47,7 @@ struct SessionSetup {
   Rig rig;
   Scenario scenario;
   bool hideRight = false, mayLeave = true;  ///< as in the options, for later games, too
+  bool people = false;                      ///< likewise
   std::unique_ptr<Graphics> graphics;
   DeskWindows desk;  ///< rank 0 only: where the windows besides the walls' open
   /// The names under which the places of the walls' windows are remembered; empty in simulated time.

@@ -45,6 +45,7 @@ struct Header {
   std::uint64_t events = 0;
   std::uint64_t rows = 0;
   std::uint64_t rowNodes = 0;
+  std::uint64_t told = 0;
 };
 
 /// A rank's message that it has drawn a frame.
@@ -247,8 +248,8 @@ void Cluster::share(FrameState& state) {
 
 void Cluster::shareFrame(FrameState& state) const {
   if (size_ == 1) return;
-  Header header{state.record, state.knots.size(), state.events.size(), state.rows.size(),
-                state.rowNodes.size()};
+  Header header{state.record,      state.knots.size(),    state.events.size(),
+                state.rows.size(), state.rowNodes.size(), state.told.size()};
   fromRankZero(&header, sizeof header);
   state.record = header.record;
   const auto shareList = [this](auto& list, std::uint64_t size) {
@@ -259,6 +260,7 @@ void Cluster::shareFrame(FrameState& state) const {
   shareList(state.events, header.events);
   shareList(state.rows, header.rows);
   shareList(state.rowNodes, header.rowNodes);
+  shareList(state.told, header.told);
 }
 
 /// Sends rank 0's bytes to every rank, in one message each: a broadcast, which forwards along a tree, would

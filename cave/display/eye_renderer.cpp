@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl/gl_state_guard.h"
+#include "cave/render/people_view.h"
 #include "cave/render/travelling_light.h"
 
 namespace carom {
@@ -67,16 +68,17 @@ void EyeRenderer::draw(const FrameRecord& record, const World& world, const Obse
 
 void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const FrameRecord& record,
                        const World& world, const ObserverView& observer, const EyeView& eye) {
-  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+  for (std::size_t body = 0; body < world.histories.size(); ++body) {
     viewBody(world.histories[body], eye.observation, observer.headFromBoard, bodies_[body], switches);
   }
+  const SeenPeople people = viewPeople(scene_, world.people, switches, observer, eye, bodies_);
   const TimeViews& views = record.views;
   const Ghosts ghosts = viewGhosts(switches, record, world, observer, eye);
   SoftLook soft{world.soft, views.strain ? Told::strain : views.heat ? Told::heat : Told::nothing};
   if (!ghosts.boardNow.empty()) soft.boardNow = Event{observer.middle.observation.t_s, eye.observation.r_m};
   if (!ghosts.myNow.empty()) soft.myNow = eye.observation;
   renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts, soft);
-  marked_ = !scene_.pulses.empty() || record.lesson.phase != LessonPhase::none ||
+  marked_ = !scene_.pulses.empty() || people.count > 0 || record.lesson.phase != LessonPhase::none ||
             isStrokeUnderWay(world.events, observer) ||
             std::any_of(kNamedViews.begin(), kNamedViews.end(),
                         [&](const NamedView& view) { return view.isMark && views.*view.value; });
@@ -84,7 +86,7 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
   graphics_.makeCurrent();
   if (!marks_) marks_ = std::make_unique<SpacetimeMarks>(scene_);
   marks_->look({observer, eye, switches, views, record.pucks, world.histories, bodies_, world.events, ghosts,
-                record.lesson, record.boardFromRoom});
+                record.lesson, record.boardFromRoom, people.all()});
 }
 
 /// The sculpture is the same for both halves of a split wall; its threads lead to what the left half shows.
@@ -110,11 +112,12 @@ Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& reco
                                const ObserverView& observer, const EyeView& eye) {
   const TimeViews& views = record.views;
   // Scripted scenery, and scripted bodies that move with the person, need no ghost: it would coincide with
-  // them.
+  // them. People of another room have no ghosts, because nobody has told yet where they are at those moments.
   const auto view = [&](std::vector<BodyView>& ghosts, const Event& observation, ViewTime moment,
                         const Vec3& u) {
     ghosts.resize(bodies_.size());
-    for (std::size_t body = 0; body < ghosts.size(); ++body) {
+    for (std::size_t body = world.histories.size(); body < ghosts.size(); ++body) ghosts[body].legs.clear();
+    for (std::size_t body = 0; body < world.histories.size(); ++body) {
       const WorldLine& line = world.histories[body];
       viewBody(line, observation, observer.headFromBoard, ghosts[body], switches, moment);
       if (body > record.pucks && stays(line, u)) ghosts[body].legs.clear();

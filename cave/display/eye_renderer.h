@@ -46,7 +46,8 @@ class EyeRenderer {
   EyeRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s);
   ~EyeRenderer();
 
-  /// Draws what `eye` of `observer` sees on its walls. `world.histories[i]` is body i of the scene. A view of
+  /// Draws what `eye` of `observer` sees on its walls. `world.histories[i]` is body i of the scene; people of
+  /// another room follow. A view of
   /// time creates what it needs when it is first turned on; turned off, it costs nothing. A scripted body
   /// that always rests on the board has no ghost "now on the board", and one that always moves with the room
   /// has none of "my now". `viewer`: whose eye it is.

@@ -101,10 +101,12 @@ std::uint64_t digestOfBytes(std::span<const T> list, std::uint64_t before) {
   return XXH3_64bits_withSeed(list.data(), list.size_bytes(), before);
 }
 
-/// Digests the new rows, and of each soft body the number of its rows and the nodes of the last one.
+/// Digests the new rows and the new moments of people of another room, and of each soft body the number of
+/// its rows and the nodes of the last one.
 std::uint64_t digestOfRows(const FrameState& state, const World& world) {
   std::uint64_t digest = digestOfBytes(std::span(state.rows), 0);
   digest = digestOfBytes(std::span(state.rowNodes), digest);
+  digest = digestOfBytes(std::span(state.told), digest);
   for (const SoftPast& past : world.soft) {
     const std::size_t count = past.rows.rowCount();
     digest = digestOfBytes(std::span(&count, 1), digest);

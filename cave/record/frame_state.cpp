@@ -61,6 +61,20 @@ void applyRows(const FrameState& state, World& world) {
   if (std::isfinite(record.rowsForgottenBefore_m)) forgetRows(record.rowsForgottenBefore_m, world.soft);
 }
 
+/// Moments that another viewer of a session might still ask for.
+constexpr double kPeopleKept_s = 600.0;
+
+void applyTold(const FrameState& state, World& world) {
+  const double c_m_s = world.histories.front().lightSpeed_m_s();
+  for (const ToldMoment& moment : state.told) {
+    if (moment.person >= kMostViewers) throw std::out_of_range("frame record: a person who is one too many");
+    if (moment.person >= world.people.size()) world.people.resize(moment.person + 1, ToldPath(c_m_s));
+    world.people[moment.person].add(moment);
+  }
+  if (!std::isfinite(state.record.forgetBefore_s)) return;
+  for (ToldPath& path : world.people) path.forgetBefore(state.record.forgetBefore_s - kPeopleKept_s);
+}
+
 }  // namespace
 
 void applyFrame(const FrameState& state, World& world) {
@@ -81,6 +95,7 @@ void applyFrame(const FrameState& state, World& world) {
     if (!history.settlesBeforeNext(history.knots().size() - 2)) history.settlesAfter(joinedAfter_s(history));
   }
   applyRows(state, world);
+  applyTold(state, world);
   if (std::isfinite(state.record.forgetBefore_s)) {
     for (WorldLine& history : histories.subspan(1, state.record.pucks)) {
       history.forgetBefore(state.record.forgetBefore_s);

@@ -23,6 +23,7 @@
 #include "engine/base/pose.h"
 #include "engine/billiard/game_event.h"
 #include "engine/light/switches.h"
+#include "engine/linked/told_path.h"
 #include "engine/soft/soft_history.h"
 #include "engine/spacetime/observer.h"
 #include "engine/spacetime/world_line.h"
@@ -132,6 +133,7 @@ struct FrameState {
   std::vector<GameEvent> events;
   std::vector<SoftRow> rows;  ///< `body`: as numbered in the scene
   std::vector<SoftNode> rowNodes;
+  std::vector<ToldMoment> told{};  ///< of the people of another room
 };
 
 /// What a node has of a body that is soft: no rows, and it is not soft, or not yet.
@@ -145,6 +147,7 @@ struct World {
   std::vector<WorldLine> histories;  ///< of every body of the scene
   std::vector<GameEvent> events;     ///< in the order of their numbers; the earliest may have been forgotten
   std::vector<SoftPast> soft{};      ///< of every body of the scene; empty until there are rows
+  std::vector<ToldPath> people{};    ///< of another room, by their numbers; empty until somebody is told of
 };
 
 /// Brings `world` up to date with the frame: truncates, appends, then forgets. Throws std::out_of_range if

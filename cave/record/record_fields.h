@@ -275,6 +275,18 @@ void visit(AKnot& knot, Fields& fields) {
   fields("spin_slowing_1_s", knot.spin.slowing_1_s, kNumber);
 }
 
+/// The session file has a person's number and name, head and own time in columns of their own.
+template <PartOf<ToldMoment> Moment, typename Fields>
+void visit(Moment& moment, Fields& fields) {
+  fields("kind", moment.kind, upTo(ToldKind::ends));
+  fields("hand_", moment.hand, kNumber);
+  fields("facing_rad", moment.facing_rad, kNumber);
+  fields("has_hand", moment.hasHand, kFlag);
+  fields("has_cue", moment.hasCue, kFlag);
+  fields("cue_rad", moment.cue_rad, kNumber);
+  fields("caroms", moment.caroms, kCount);
+}
+
 template <PartOf<Turn> ATurn, typename Fields>
 void visit(ATurn& turn, Fields& fields) {
   fields("puck", turn.puck, kCount);

@@ -114,6 +114,14 @@ void expectPossible(const Knot& knot) {
   visit(knot, rules);
 }
 
+void expectPossible(const ToldMoment& moment) {
+  Rules rules("a person's ");
+  visit(moment, rules);
+  rules("", moment.head, kNumber);
+  rules("proper_time_s", moment.properTime_s, kNumber);
+  rules("number", moment.person, FieldKind{0.0, kMostViewers - 1});
+}
+
 void expectPossible(const GameEvent& event, std::uint64_t pucks) {
   Rules rules("an event's ");
   visit(event, rules);

@@ -6,6 +6,7 @@
 
 #include "cave/record/frame_state.h"
 #include "engine/billiard/game_event.h"
+#include "engine/linked/told_path.h"
 #include "engine/spacetime/world_line.h"
 
 namespace carom {
@@ -14,6 +15,7 @@ namespace carom {
 /// `gameLightSpeed_m_s`: speed of light in the game that the frame belongs to.
 void expectPossible(const FrameRecord& record, double gameLightSpeed_m_s);
 void expectPossible(const Knot& knot);
+void expectPossible(const ToldMoment& moment);
 /// `pucks`: number of pucks in the game.
 void expectPossible(const GameEvent& event, std::uint64_t pucks);
 

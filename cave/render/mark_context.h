@@ -13,6 +13,7 @@
 #include "cave/render/mark_buffer.h"
 #include "engine/billiard/game_event.h"
 #include "engine/light/light_cone.h"
+#include "engine/linked/told_path.h"
 #include "engine/spacetime/observer.h"
 
 namespace carom {
@@ -29,7 +30,8 @@ struct MarkContext {
   std::span<const GameEvent> events;
   Ghosts ghosts;
   LessonState lesson = {};
-  Lorentz boardFromRoom{1.0};  ///< the room's attitude and motion
+  Lorentz boardFromRoom{1.0};             ///< the room's attitude and motion
+  std::span<const ToldView> people = {};  ///< of another room, as the eye sees them
 };
 
 /// Returns the person's board time, that of the point between the eyes, so that both eyes see the same marks.

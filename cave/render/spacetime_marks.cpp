@@ -12,6 +12,7 @@
 #include "cave/gl/view_colours.h"
 #include "cave/render/measure_marks.h"
 #include "cave/render/travelling_light.h"
+#include "cave/scene/person_model.h"
 
 namespace carom {
 namespace {
@@ -200,6 +201,24 @@ void addPuckClocks(const MarkContext& sight, const MarkedBodies& marked, LabelLa
   }
 }
 
+void addPeopleClocks(const MarkContext& sight, std::size_t firstPerson, LabelLayout& crowd,
+                     MarkBuffer& batch) {
+  constexpr double kAboveEyes_m = 0.24;
+  const Resting resting(sight);
+  for (const ToldView& person : sight.people) {
+    const std::size_t number = person.moment->person, body = firstPerson + kBodiesOfPerson * number;
+    const Vec3 above_m(0.0, 0.0, kAboveEyes_m);
+    StandingPlate plate =
+        standingPlate(sight, tenthsOf(person.properTime_s), PlateShape::clock, person.head.r_m + above_m);
+    const Vec3 foot_m = above_m + Vec3(0.0, 0.0, crowd.raise_m(plate));
+    const glm::dvec3 top_m = OnBody(sight, sight.bodies[body], ViewTime::seen)(foot_m);
+    const glm::vec4 colour(codeOf(glm::max(kCoatColours[number], glm::vec3(0.08F))), 1.0F);
+    addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) {
+      return top_m + resting(plate.foot_m + offset_m) - resting(plate.foot_m);
+    });
+  }
+}
+
 namespace {
 
 /// Adds a figure of `corners` around a place, seen from the front, between two radii.
@@ -258,7 +277,8 @@ SpacetimeMarks::SpacetimeMarks(const Scene& scene)
       rims_m_(rimsOf(scene)),
       ruler_(scene.ruler),
       pulses_(scene.pulses),
-      lesson_(scene.lesson) {
+      lesson_(scene.lesson),
+      firstPerson_(scene.firstPerson) {
   reach_m_.resize(scene.bodyCount);
   constexpr std::size_t kShortName = 2;
   for (const std::string& name : scene.flashes)
@@ -284,6 +304,7 @@ void SpacetimeMarks::look(const MarkContext& sight) {
   LabelLayout crowd(sight);
   if (sight.views.ruler) addRuler(sight, ruler_, crowd, batch_);
   if (sight.views.clocks) addPuckClocks(sight, {colours_, reach_m_, rims_m_}, crowd, batch_);
+  addPeopleClocks(sight, firstPerson_, crowd, batch_);
   if (sight.views.events) addEvents(sight, colours_, flashTexts_, crowd, batch_);
   if (sight.views.news) addNews(sight, colours_, batch_);
   addStrokes(sight, batch_);

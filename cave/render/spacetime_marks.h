@@ -43,6 +43,11 @@ struct MarkedBodies {
 void addPuckClocks(const MarkContext& sight, const MarkedBodies& marked, LabelLayout& crowd,
                    MarkBuffer& batch);
 
+/// Adds a clock above the head of each person of another room, in the colour of their coat: their own time
+/// where the light left that is seen. `firstPerson`: as in Scene.
+void addPeopleClocks(const MarkContext& sight, std::size_t firstPerson, LabelLayout& crowd,
+                     MarkBuffer& batch);
+
 /// Adds a pin above each ghost, moving with it, so that ghosts can be found and told apart from far away and
 /// without colours: a diamond marks "now on the board", a ring "my now", both around the body's own colour.
 /// For every body of the scene, `colours` is linear and `tops_m` is how far it reaches up from its centre.
@@ -68,6 +73,7 @@ class SpacetimeMarks {
   Ruler ruler_;
   std::vector<LightPath> pulses_;
   LessonPlan lesson_;
+  std::size_t firstPerson_;
   std::size_t pucks_ = 0;
   PathRibbons paths_;
   MarkBuffer batch_;

@@ -61,6 +61,9 @@ inline constexpr std::size_t kMostSculpted = 100;
 struct Scene {
   std::vector<ScenePart> parts;
   std::size_t bodyCount = 0;
+  /// The first body of people of another room, which come last (cave/scene/person_model.h); 0: there are
+  /// none.
+  std::size_t firstPerson = 0;
   /// For each body, how far its points reach from its centre (the radius of its world line).
   std::vector<double> reach_m;
   std::vector<MeshNote> notes;          ///< table, hall, then each body

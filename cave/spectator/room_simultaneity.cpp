@@ -49,8 +49,12 @@ Motion RoomSimultaneity::at(const WorldLine& line) const {
 std::optional<glm::dmat4> RoomSimultaneity::roomFromBody(const WorldLine& line) const {
   const Motion motion = at(line);
   if (motion.event.t_s < line.appears_s()) return std::nullopt;
-  glm::dmat4 result(glm::inverse(bodyFromRoomNow(boardFromRoom_, motion.u)));
-  result[3] = glm::dvec4(placeInRoom_m_ + (roomFromBoard_ * (motion.event - event_)).dr_m, 1.0);
+  return roomFrom(motion.event, motion.u);
+}
+
+glm::dmat4 RoomSimultaneity::roomFrom(const Event& centre, const Vec3& u) const {
+  glm::dmat4 result(glm::inverse(bodyFromRoomNow(boardFromRoom_, u)));
+  result[3] = glm::dvec4(placeInRoom_m_ + (roomFromBoard_ * (centre - event_)).dr_m, 1.0);
   return result;
 }
 

@@ -29,6 +29,12 @@ class RoomSimultaneity {
   /// moving with its centre.
   std::optional<glm::dmat4> roomFromBody(const WorldLine& line) const;
 
+  /// Returns how long ago an event is by then.
+  double since_s(const Event& event) const { return -(roomFromBoard_ * (event - event_)).dt_s; }
+  /// Returns the transform of roomFromBody for a body that is seen to be at an event, and moves with γβ =
+  /// `u`.
+  glm::dmat4 roomFrom(const Event& centre, const Vec3& u) const;
+
  private:
   Motion at(const WorldLine& line) const;
 

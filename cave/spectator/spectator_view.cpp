@@ -77,7 +77,8 @@ struct SpectatorView::Drawing {
   std::array<RoomGeometry, kMostViewers> rooms;  ///< as each viewer sees it
   std::vector<Solid> table;
   std::vector<Corners> tableEdges;  ///< around the cloth and around the rails, on the board
-  std::vector<BodySolid> bodies;
+  std::vector<BodySolid> bodies, people;
+  std::size_t firstPerson = 0;  ///< as in the scene
   std::optional<SoftSolids> soft;
   SculptedGame sculpted;
   OwnLines ownLines;
@@ -94,6 +95,7 @@ struct SpectatorView::Drawing {
   void putOn(const HeadsetState& headset);
   void drawViewers(const FrameRecord& record) const;
   void drawBodies(const RoomSimultaneity& moment, std::span<const WorldLine> histories, float covers) const;
+  void drawPeople(const RoomSimultaneity& moment, std::span<const ToldPath> paths, float covers) const;
   void drawSculpture(const FrameRecord& record, const World& world);
   void drawTable(const glm::dmat4& roomFromTable) const;
   void outline(const Wall& wall, std::span<const glm::dvec3> eyes_m);
@@ -125,6 +127,8 @@ void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const SceneP
   table.clear();
   tableEdges.clear();
   bodies.clear();
+  people.clear();
+  firstPerson = scene.firstPerson;
   for (const ScenePart& part : parts) {
     if (isHall(part.paint)) continue;
     table.push_back(solids.upload(*part.mesh, part.paint == Paint::clock ? kClock : part.colour));
@@ -132,7 +136,8 @@ void SpectatorView::Drawing::makeGame(const Scene& scene, std::span<const SceneP
   }
   for (const ScenePart& part : scene.parts) {
     if (part.body == kRestingBody || part.paint == Paint::shadow) continue;
-    bodies.push_back({part.body, solids.upload(*part.mesh, part.colour)});
+    const bool isPerson = scene.firstPerson != 0 && part.body >= scene.firstPerson;
+    (isPerson ? people : bodies).push_back({part.body, solids.upload(*part.mesh, part.colour)});
   }
   soft.emplace(scene, solids);
   sculpture.reset();
@@ -158,6 +163,26 @@ void SpectatorView::Drawing::drawBodies(const RoomSimultaneity& moment, std::spa
     if (part.body != placed) place = moment.roomFromBody(histories[part.body]);
     placed = part.body;
     if (place) solids.draw(part.solid, *place, covers);
+  }
+}
+
+/// Draws the people of another room where they were told last, by this time of the room.
+void SpectatorView::Drawing::drawPeople(const RoomSimultaneity& moment, std::span<const ToldPath> paths,
+                                        float covers) const {
+  if (firstPerson == 0) return;
+  for (std::size_t person = 0; person < paths.size(); ++person) {
+    const auto at = paths[person].at([&](const Event& event) { return moment.since_s(event); });
+    if (!at) continue;
+    for (const BodySolid& part : people) {
+      const std::size_t number = part.body - firstPerson;
+      if (number / kBodiesOfPerson != person) continue;
+      const auto which = static_cast<PersonBody>(number % kBodiesOfPerson);
+      if (which == PersonBody::hand && !at->handMoment->hasHand) continue;
+      if (which == PersonBody::cue && !at->handMoment->hasCue) continue;
+      const double angle_rad = which == PersonBody::cue ? at->handMoment->cue_rad : at->moment->facing_rad;
+      const glm::dmat4 place = moment.roomFrom(which == PersonBody::head ? at->head : at->hand, at->u);
+      solids.draw(part.solid, glm::rotate(place, angle_rad, glm::dvec3(0.0, 0.0, 1.0)), covers);
+    }
   }
 }
 
@@ -266,10 +291,12 @@ void SpectatorView::draw(const FrameRecord& record, const World& world, const Di
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_FALSE);
   d.drawBodies(moment, world.histories, kBehindCovers);
+  d.drawPeople(moment, world.people, kBehindCovers);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   d.drawViewers(record);
   d.drawBodies(moment, world.histories, 1.0F);
+  d.drawPeople(moment, world.people, 1.0F);
   const std::optional<glm::dmat4> roomFromTable = moment.roomFromBody(world.histories[kRestingBody]);
   if (roomFromTable) d.drawTable(*roomFromTable);
   d.drawLines(record, roomFromTable);

@@ -13,33 +13,8 @@
 namespace carom {
 namespace {
 
-constexpr glm::vec3 kSkin(0.80F, 0.32F, 0.09F), kGlasses(0.02F), kWand(0.75F, 0.72F, 0.65F);
-// Told apart by the colour-blind (Okabe and Ito 2008).
-constexpr std::array<glm::vec3, kMostViewers> kCoats{
-    {{0.06F, 0.16F, 0.42F}, {0.60F, 0.10F, 0.01F}, {0.01F, 0.30F, 0.16F}, {0.70F, 0.35F, 0.02F}}};
-constexpr double kBehindEyes_m = 0.09;  // distance of the head's middle behind the eyes
-constexpr double kLowest_m = 0.5;       // least height of the eyes above the floor for a coat below them
-
-void addEllipsoid(MeshBuilder& mesh, const glm::dvec3& middle_m, const glm::dvec3& radii_m) {
-  constexpr int kAround = 32, kUp = 20;
-  mesh.addPatch(kAround, kUp, [&](double u, double v) {
-    const double east = 2.0 * M_PI * u, north = M_PI * (v - 0.5);
-    return PatchPoint{middle_m + radii_m * glm::dvec3(std::cos(east) * std::cos(north),
-                                                      std::sin(east) * std::cos(north), std::sin(north))};
-  });
-}
-
-/// Returns the skull and the nose, and the 3-D glasses before the eyes.
-std::vector<ModelPart> head() {
-  MeshBuilder skull, glasses;
-  addEllipsoid(skull, {0.0, -kBehindEyes_m, 0.01}, {0.078, 0.10, 0.125});
-  addEllipsoid(skull, {0.0, 0.015, -0.035}, {0.016, 0.035, 0.024});
-  for (const double side : {-1.0, 1.0}) {
-    addEllipsoid(glasses, {side * 0.033, 0.004, 0.0}, {0.030, 0.014, 0.024});
-    addEllipsoid(glasses, {side * 0.078, -0.045, 0.0}, {0.004, 0.055, 0.006});
-  }
-  return {{skull.build(), kSkin}, {glasses.build(), kGlasses}};
-}
+constexpr glm::vec3 kWand(0.75F, 0.72F, 0.65F);
+constexpr double kLowest_m = 0.5;  // least height of the eyes above the floor for a coat below them
 
 /// Returns a body without arms: a coat, wider than deep.
 vtkSmartPointer<vtkPolyData> coat() {
@@ -81,9 +56,10 @@ glm::dmat4 matrixOf(const Pose& pose) {
 }  // namespace
 
 ViewerModel makeViewerModel() {
-  ViewerModel model{head(), {}, {wand(), kWand}};
+  ViewerModel model{headParts(), {}, {wand(), kWand}};
   const vtkSmartPointer<vtkPolyData> mesh = coat();
-  for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer) model.coats[viewer] = {mesh, kCoats[viewer]};
+  for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer)
+    model.coats[viewer] = {mesh, kCoatColours[viewer]};
   return model;
 }
 

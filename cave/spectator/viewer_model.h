@@ -12,14 +12,9 @@
 
 #include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
+#include "cave/scene/person_model.h"
 
 namespace carom {
-
-/// A mesh of one colour.
-struct ModelPart {
-  vtkSmartPointer<vtkPolyData> mesh;
-  glm::vec3 colour{1.0F};  ///< linear light, the share reflected
-};
 
 /// Meshes in metres; x right, y forward, z up.
 struct ViewerModel {

@@ -1,6 +1,8 @@
 #include "engine/linked/final_digest.h"
 
 #include <algorithm>
+#include <cstring>
+#include <map>
 #include <numeric>
 
 #include "engine/base/xxh3.h"
@@ -16,19 +18,43 @@ FinalDigest::FinalDigest(std::span<const std::string> names) : order_(names.size
 void FinalDigest::add(std::span<const WorldLine> pucks, double final_s) {
   while (second_ + 1.0 <= final_s) {
     const double from_s = second_, to_s = second_ + 1.0;
-    numbers_.clear();
+    turns_.clear();
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const auto knots = pucks[order_[i]].knots();
       auto knot = std::ranges::lower_bound(knots, from_s, {}, [](const Knot& k) { return k.turn.t_s; });
       for (; knot != knots.end() && knot->turn.t_s < to_s; ++knot) {
-        numbers_.insert(numbers_.end(), {static_cast<double>(i), knot->turn.t_s, knot->turn.r_m.x,
-                                         knot->turn.r_m.y, knot->u.x, knot->u.y, knot->properTime_s,
-                                         knot->spin.omega_rad_s, knot->spin.angle_rad});
+        turns_.push_back({static_cast<double>(i), knot->turn.t_s, knot->turn.r_m.x, knot->turn.r_m.y,
+                          knot->u.x, knot->u.y, knot->properTime_s, knot->spin.omega_rad_s,
+                          knot->spin.angle_rad});
       }
     }
-    value_ = XXH3_64bits_withSeed(numbers_.data(), numbers_.size() * sizeof(double), value_);
+    value_ = XXH3_64bits_withSeed(turns_.data(), turns_.size() * sizeof(FinalTurn), value_);
     ++second_;
   }
+}
+
+std::optional<TurnDifference> firstDifference(std::span<const FinalTurn> here,
+                                              std::span<const FinalTurn> there) {
+  const auto byPuck = [](std::span<const FinalTurn> turns) {
+    std::map<double, std::vector<const FinalTurn*>> all;
+    for (const FinalTurn& turn : turns) all[turn[0]].push_back(&turn);
+    return all;
+  };
+  auto ours = byPuck(here), theirs = byPuck(there);
+  for (const auto& [puck, turns] : theirs) ours[puck];  // those who turn there alone
+  std::optional<TurnDifference> first;
+  for (const auto& [puck, turns] : ours) {
+    const std::vector<const FinalTurn*>& others = theirs[puck];
+    for (std::size_t i = 0; i < std::max(turns.size(), others.size()); ++i) {
+      const FinalTurn* const one = i < turns.size() ? turns[i] : nullptr;
+      const FinalTurn* const other = i < others.size() ? others[i] : nullptr;
+      if (one && other && std::memcmp(one, other, sizeof(FinalTurn)) == 0) continue;
+      const double t_s = std::min(one ? (*one)[1] : (*other)[1], other ? (*other)[1] : (*one)[1]);
+      if (!first || t_s < first->t_s) first = {static_cast<std::size_t>(puck), i + 1, t_s};
+      break;
+    }
+  }
+  return first;
 }
 
 namespace {

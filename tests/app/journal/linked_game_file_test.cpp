@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "app/journal/journal.h"
+#include "app/journal/session_file.h"
 #include "app/journal_frames.h"
 #include "app/temporary_folder.h"
 #include "log_lines.h"
@@ -12,11 +15,27 @@ namespace {
 
 using namespace test;
 
+ToldMoment momentOf(std::uint64_t frame) {
+  const double x = 0.1 * static_cast<double>(frame);
+  ToldMoment moment;
+  moment.kind = frame == 0 ? ToldKind::begins : frame == 9 ? ToldKind::ends : ToldKind::goesOn;
+  moment.head = {x + 1.0 / 3.0, {x, 2.0, 1.6}};
+  moment.hand = {x + 1.0 / 7.0, {x, 2.0 / 3.0, 1.2}};
+  moment.properTime_s = x / 7.0;
+  moment.facing_rad = -x / 3.0;
+  moment.hasHand = 1;
+  moment.hasCue = frame % 2;
+  moment.cue_rad = x / 9.0;
+  moment.caroms = frame / 4;
+  moment.setName("anna");
+  return moment;
+}
+
 LinkNews newsOf(std::uint64_t frame) {
   const double x = 0.1 * static_cast<double>(frame);
   LinkNews news;
   news.rows.push_back({1, "playing", 100 + frame, 0.2, {x, {1.0, -0.0, x}}, "anna", frame % 2 == 0, 1.5, 7});
-  news.persons.push_back({1, "anna", 100 + frame, {x + 1.0 / 3.0, {x, 2.0, 1.6}}, x / 7.0});
+  news.persons.push_back({1, frame == 9 ? 0 : 100 + frame, momentOf(frame)});
   if (frame == 3) news.notes.push_back({1, "paired", "game 0123456789abcdef with lyon to ± 10 ms"});
   if (frame == 8) news.notes.push_back({1, "gone", "lyon: it was not heard for 6 s"});
   if (frame == 5) {
@@ -62,6 +81,53 @@ TEST(LinkedGameFile, GivesBackWhatTheJournalWasTold) {
   EXPECT_EQ(stroke.second, (std::vector<double>{0.5, 1.0 / 3.0, 0.0, 0.5, 0.1, -0.2, 0.01}));
   EXPECT_EQ(game.heads.at("viewer").size(), 10U);
   EXPECT_FALSE(game.turns.empty());
+}
+
+TEST(LinkedGameFile, FramesBringWhatWasToldOfPeopleToTheBit) {
+  const NothingIsLogged silence;
+  TemporaryFolder folder;
+  const auto file = folder / "grenoble.db";
+  writeTo(file, true);
+  SessionFile session(file, {}, true);
+  EXPECT_TRUE(session.facts().isLinked);
+  for (const bool isChangesAlone : {false, true}) {
+    isChangesAlone ? session.goToChanges() : session.goTo(0);
+    std::uint64_t frames = 0;
+    for (FrameState state; session.next(state); ++frames) {
+      ASSERT_EQ(state.told.size(), 1U);
+      const ToldMoment expected = momentOf(state.record.number);
+      EXPECT_EQ(std::memcmp(&state.told[0], &expected, sizeof expected), 0) << state.record.number;
+    }
+    EXPECT_EQ(frames, 10U);
+  }
+}
+
+TEST(LinkedGameFile, APersonWhoIsImpossibleIsRefused) {
+  const NothingIsLogged silence;
+  TemporaryFolder folder;
+  const std::pair<const char*, const char*> faults[] = {{"person = 4", "a person's number is 4"},
+                                                        {"kind = 3", "a person's kind is 3"},
+                                                        {"hand_x_m = NULL", "a person's hand_x_m is nan"},
+                                                        {"t_s = 'x'", "a person's t_s is nan"},
+                                                        {"has_cue = 2", "a person's has_cue is 2"}};
+  for (const auto& [change, words] : faults) {
+    const auto file = folder / "grenoble.db";
+    writeTo(file, true);
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
+        .exec(std::string("UPDATE link_person SET ") + change + " WHERE frame = 4");
+    SessionFile session(file, {}, true);
+    FrameState state;
+    for (int frame = 0; frame < 4; ++frame) EXPECT_TRUE(session.next(state));
+    try {
+      session.next(state);
+      ADD_FAILURE() << change;
+    } catch (const std::runtime_error& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find(words), std::string::npos) << said;
+      EXPECT_NE(said.find("frame 4"), std::string::npos) << said;
+    }
+    std::filesystem::remove(file);
+  }
 }
 
 TEST(LinkedGameFile, ASessionWithoutALinkHasNoneOfItsTables) {

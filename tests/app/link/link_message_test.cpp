@@ -136,8 +136,8 @@ TEST(LinkMessage, RefusesWhatIsTooLong) {
 
 TEST(LinkMessage, RefusesOtherProtocolsAndProgramsByName) {
   Bytes other = bytesOf(test::sampleMessages()[0]);
-  other[10] = 2;
-  EXPECT_EQ(refusal(other), "it sent a protocol of 2, expected 1 to 1");
+  other[10] = 1;
+  EXPECT_EQ(refusal(other), "it sent a protocol of 1, expected 2 to 2");
   other[6] = 'X';
   EXPECT_EQ(refusal(other), "it is no carom");
 }

@@ -64,7 +64,8 @@ inline std::vector<LinkMessage> sampleMessages() {
           sampleStroke(9),
           LinkDigest{81, 42},
           LinkSettings{3, 2.0, true},
-          LinkBye{"the room closes"}};
+          LinkBye{"the room closes"},
+          LinkTurns{81, 43, {{0.0, 80.5, 0.1, -0.2, 0.3, 0.4, 60.5, 0.5, 0.25}}}};
 }
 
 }  // namespace carom::test

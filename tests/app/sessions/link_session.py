@@ -5,6 +5,8 @@ import json
 import math
 import os
 import pathlib
+import re
+import shutil
 import signal
 import socket
 import sqlite3
@@ -30,7 +32,7 @@ class Proxy:
     """Passes bytes on after a while. `silent`: it swallows them, and takes no call. `cut`: it hangs up."""
 
     def __init__(self, port):
-        self.port, self.silent, self.pairs = port, False, []
+        self.port, self.silent, self.pairs, self.took_s = port, False, [], []
         self.listener = socket.create_server(("127.0.0.1", 0))
         self.own = self.listener.getsockname()[1]
         threading.Thread(target=self.accept, daemon=True).start()
@@ -64,6 +66,7 @@ class Proxy:
                 if not data:
                     break
                 if not self.silent:
+                    self.took_s.append(time.monotonic() - at_s + DELAY_S)
                     try:
                         b.sendall(data)
                     except OSError:
@@ -85,6 +88,12 @@ class Proxy:
                 more.notify()
             if not data:
                 return
+
+    def round_ms(self):
+        """The round trip of what has passed since it was asked last, as it was delayed here."""
+        took_s = sorted(self.took_s)
+        self.took_s = []
+        return 2e3 * took_s[len(took_s) // 2]
 
     def cut(self):
         for pair in self.pairs:
@@ -227,11 +236,98 @@ def strike_in_turn(count):
         fail(f"only {made} of {count} strokes were made")
 
 
+def alone(rig):
+    """Runs a session without --link for a moment; returns the numbers of its TCP sockets and threads, and its tables."""
+    session = out / f"{rig.stem}.db"
+    with open(out / "alone.err", "w") as log:
+        process = subprocess.Popen([carom, "cave", "--rig", rig, "--scenario", "two-cities", "--session", session, "--no-window",
+                                    "--silent"], stderr=log)
+    end = time.monotonic() + 60
+    while time.monotonic() < end and not session.exists():
+        time.sleep(0.2)
+    time.sleep(2.0)
+    inodes = {line.split()[9] for table in ("tcp", "tcp6")
+              for line in pathlib.Path(f"/proc/{process.pid}/net/{table}").read_text().splitlines()[1:]}
+    held = []
+    for link in pathlib.Path(f"/proc/{process.pid}/fd").iterdir():
+        try:
+            held.append(os.readlink(link))
+        except OSError:
+            pass
+    sockets = sum(f"socket:[{inode}]" in held for inode in inodes)
+    threads = len(list(pathlib.Path(f"/proc/{process.pid}/task").iterdir()))
+    process.send_signal(signal.SIGTERM)
+    process.wait(30)
+    with sqlite3.connect(session) as database:
+        return sockets, threads, [row[0] for row in database.execute("SELECT name FROM sqlite_schema ORDER BY name")]
+
+
+def plain():
+    """Without --link and `with` a rig that has a [link] opens no socket, has no thread more and no table."""
+    with_link, without = out / "with.toml", out / "without.toml"
+    without.write_text(
+        'title = "alone"\nunit = "m"\naxes = "x-right y-up z-back"\ndisplay_hz = 30.0\n[head]\ntracker = "walks"\n'
+        'eye_separation = 0.064\n[[tracker]]\nname = "walks"\nkind = "simulated"\n[[wall]]\nname = "screen"\n'
+        'lower_left = [-0.8, 0.9, -1.0]\nlower_right = [0.8, 0.9, -1.0]\nupper_left = [-0.8, 1.8, -1.0]\n'
+        'pixels = [48, 32]\nstereo = "mono"\n')
+    with_link.write_text(without.read_text() + '[link]\nname = "alone"\nkey = "room.key"\n')
+    found, expected = alone(with_link), alone(without)
+    if found != expected or any("link" in name for name in found[2]):
+        fail(f"a session without --link has {found}, expected {expected}")
+    print(f"without --link: {found[0]} TCP sockets (of MPI) and {found[1]} threads, as without [link], and no table of links")
+
+
+def measured():
+    """What `carom link --test` and `carom doctor` say of the line, beside what it is known to be."""
+    address = f"127.0.0.1:{proxy.own}"
+    rig = out / "annecy.toml"
+    rig.write_text((out / "lyon.toml").read_text().replace('name = "lyon"\nkey', f'name = "annecy"\nwith = "{address}"\nkey'))
+    for command in (["link", "--test", address, "--key", out / "room.key"], ["doctor", rig]):
+        proxy.took_s = []
+        said = subprocess.run([carom, *command], text=True, capture_output=True)
+        known_ms = proxy.round_ms()
+        found = re.search(r"round trip:? (?:median )?([0-9.]+) ms", said.stdout + said.stderr)
+        if not found:
+            fail(f"carom {command[0]} measures nothing: {said.stdout} {said.stderr}")
+        print(f"carom {command[0]}: {found[1]} ms, known {known_ms:.1f} ms")
+        if abs(float(found[1]) - known_ms) > 0.1 * known_ms:
+            fail(f"carom {command[0]} says {found[1]} ms of a line of {known_ms:.1f} ms")
+
+
+def people():
+    """Both rooms show the other's person: in their events, and in their pictures, which are others without."""
+    for room in rooms:
+        kinds = [row[0] for row in room.rows("SELECT kind FROM link_person ORDER BY rowid")]
+        if kinds[0] != 1 or kinds.count(2) < 1 or 0 not in kinds:
+            fail(f"{room.name}: people of kinds {set(kinds)}")
+        table = subprocess.run([carom, "events", room.file, "--game", "1", "--csv", "-"], text=True, capture_output=True).stdout
+        header = table.splitlines()[0]
+        if header.count("_proper_time_s") != 2 or "seen_by_viewer_afar_t_s" not in header:
+            fail(f"{room.name}: events do not say when the others saw them: {header}")
+        seen = subprocess.run([carom, "export", room.file, "--game", "1", "--every", "10", "--csv", "-"], text=True,
+                              capture_output=True).stdout
+        if seen.count(",viewer_afar,seen,") < 10:
+            fail(f"{room.name}: the other's person is not exported: {seen[:1000]}")
+        bare = out / f"{room.name}-bare.db"
+        shutil.copy(room.file, bare)
+        with sqlite3.connect(bare) as database:
+            database.execute("DELETE FROM link_person")
+        pictures = out / f"{room.name}-bare"
+        subprocess.run([carom, "replay", bare, "--game", "1", "--capture", pictures, "--no-window"], check=True,
+                       stderr=subprocess.DEVNULL)
+        names = [picture.name for picture in pictures.glob("*.png") if (room.pictures / picture.name).exists()]
+        other = sum(not filecmp.cmp(pictures / name, room.pictures / name, shallow=False) for name in names)
+        print(f"{room.name}: {other} of {len(names)} pictures show the other's person")
+        if other < 0.3 * len(names):
+            fail(f"{room.name}: the other's person is not seen")
+
+
 allowed, rooms = (), []
 subprocess.run([carom, "link", "--new-key", out / "room.key"], check=True, stdout=subprocess.DEVNULL)
 with socket.create_server(("127.0.0.1", 0)) as free:
     port = free.getsockname()[1]
 proxy = Proxy(port)
+plain()
 rooms.append(Room("grenoble", 1, f"listen:127.0.0.1:{port}"))
 wait(60, "the host does not begin", lambda: rooms[0].rows("SELECT 1 FROM frame LIMIT 1"))
 rooms.append(Room("lyon", -1, f"127.0.0.1:{proxy.own}"))
@@ -243,6 +339,8 @@ round_ms = lyon.link()["round_trip_ms"]["median"]
 print(f"round trip {round_ms:.0f} ms")
 if not 1.8e3 * DELAY_S < round_ms < 3e3 * DELAY_S:
     fail(f"a round trip of {round_ms} ms")
+
+measured()
 
 proxy.cut()
 proxy.silent = True
@@ -309,3 +407,4 @@ for room in rooms:
     print(f"{room.name}: {same} pictures are the same again, {differ} differ, of {len(frames)} frames")
     if differ or same < 0.9 * len(frames):
         fail("a replay differs from what was seen")
+people()
