@@ -39,6 +39,7 @@ class Shown {
     this.engine = engine;
     this.frames = new Frames(content);
     this.known = new Known(content, engine);
+    this.known.begin();
     this.picture = new Picture(part("picture"), content, engine);
     this.watcher = new Watcher(content, engine, this.frames, this.known);
   }
@@ -112,9 +113,8 @@ class Shown {
       observer: wanted => this.watcher.set(wanted),
       // Plays the page's game anew with these strokes besides its own, and returns all its events.
       play: (until_s, strokes) => playedAnew(this.about, this.engine, until_s, strokes),
-      // Compiles every variant of the shaders that this page can ask for, and returns their number.
-      programs: () => {
-        const keys = Object.keys(this.about.shaders.variants);
+      // Compiles variants of the shaders that this page can ask for, by default all, and returns their number.
+      programs: (keys = Object.keys(this.about.shaders.variants)) => {
         for (const key of keys) this.picture.program(key, true);
         return keys.length;
       },

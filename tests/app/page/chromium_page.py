@@ -12,16 +12,23 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 
-class OpenPage:
-    """The window is small: where there is no card, a picture in motion takes processor from what a test asks meanwhile."""
+# A picture that no page has: with this hash nothing is drawn, which takes long where there is no card.
+UNDRAWN = "#frame=-1"
 
-    def __init__(self, file, width=400, height=240, flags=()):
-        self.file = pathlib.Path(file).resolve()
+
+class OpenPage:
+    """One browser, for one page after the other: it takes seconds to start. It draws by OpenGL, for which it needs a display:
+    where there is no card, Mesa keeps its shaders from run to run, while the browser's own drawing by the processor makes each
+    of them anew for seconds. The window is small: a picture in motion takes processor from what a test asks meanwhile."""
+
+    def __init__(self, file=None, width=400, height=240, flags=()):
+        self.show(file)
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
         for flag in ("--headless=new", "--no-sandbox", "--force-device-scale-factor=1", "--disable-dev-shm-usage",
-                     "--use-angle=swiftshader", "--enable-unsafe-swiftshader", f"--user-data-dir={self.profile.name}",
+                     "--use-angle=gl", "--ignore-gpu-blocklist", "--enable-unsafe-swiftshader",
+                     f"--user-data-dir={self.profile.name}",
                      f"--window-size={width},{height}", *flags):
             options.add_argument(flag)
         options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})
@@ -37,12 +44,26 @@ class OpenPage:
         self.driver.quit()
         self.profile.cleanup()
 
-    def open(self, hash=""):
-        """Opens the page, and returns after how many seconds it has begun or given up."""
+    def show(self, file):
+        """Sets the page that `open` opens."""
+        self.file = pathlib.Path(file).resolve() if file else None
+
+    def open(self, hash="", file=None):
+        """Opens the page anew, or another one, and returns after how many seconds it has begun or given up."""
+        if file:
+            self.show(file)
+        self.driver.get("about:blank")
         begun = time.monotonic()
         self.driver.get(f"file://{self.file}{hash}")
         self.until("return document.body.classList.contains('ready') || !document.getElementById('sorry').hidden")
         return time.monotonic() - begun
+
+    def without_webgl(self):
+        """From now on pages find no WebGL 2 here."""
+        self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": """
+          const given = HTMLCanvasElement.prototype.getContext;
+          HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+            return kind === 'webgl2' ? null : given.call(this, kind, ...more); };"""})
 
     def until(self, script, patience_s=120.0):
         ends = time.monotonic() + patience_s

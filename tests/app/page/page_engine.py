@@ -1,19 +1,24 @@
 """page_engine.py CAROM OUT: see page_engine.sh. What the wasm of a page plays is what `carom simulate` plays, bit for bit;
-what it sees is what `carom observe` sees; hostile words, cut pages and browsers without WebGL 2 are borne."""
+what it sees is what `carom observe` sees; hostile words, cut pages and browsers without WebGL 2 are borne. All in one browser;
+with CAROM_PAGE_FRAMES set, also what takes minutes where there is no card."""
 
 import json
 import math
 import os
 import pathlib
 import random
+import shutil
 import subprocess
 import sys
+import time
 
-from chromium_page import OpenPage, content
+from chromium_page import OpenPage, UNDRAWN, content
 from page_engine_frames import in_board_axes
 
 carom, out = sys.argv[1], pathlib.Path(sys.argv[2])
 SEED = 20261127
+THOROUGH = "CAROM_PAGE_FRAMES" in os.environ
+HOSTILE = ["</script><script>document.title='taken'</script>", 'a"b', "]]>", "\u202eabc", "白球"]
 
 
 def ask(*arguments):
@@ -55,20 +60,25 @@ def scenario(file, title, names, strokes=()):
     return file
 
 
-def test_physics():
+def test_physics_and_words(page):
     random.seed(SEED)
-    names = ["white", "red", "yellow", "blue", "green"]
-    strokes = [{"at_s": 1.4 * i + random.random(), "puck": random.choice(names),
+    strokes = [{"at_s": 1.4 * i + random.random(), "puck": random.choice(HOSTILE),
                 "p": [random.uniform(-0.25, 0.25), random.uniform(-0.25, 0.25)]} for i in range(20)]
-    bare, struck = scenario(out / "bare.toml", "Bare", names), scenario(out / "struck.toml", "Struck", names, strokes)
+    title = '</script>"]]>\u202e白球<!--'
+    bare, struck = scenario(out / "bare.toml", title, HOSTILE), scenario(out / "struck.toml", title, HOSTILE, strokes)
     told = ask("simulate", struck, "--until", 30)["collisions"]
-    with OpenPage(make(bare, out / "bare.html", "--until", 1)) as page:
-        page.open()
-        given = [[names.index(s["puck"]), s["at_s"], 0, 0, 0, 0, *s["p"], 0] for s in strokes]
-        played = page.call("play", 30, given)
+    page.open(UNDRAWN, make(bare, out / "bare.html", "--until", 1))
+    assert page.run("return document.title") == "failed" and page.run("return document.querySelector('h1').textContent") == title
+    names = page.run("return [...document.querySelectorAll('option')].map(one => one.textContent).join('|')")
+    assert all(name in names for name in HOSTILE), names
+    assert page.run("return document.getElementsByTagName('script').length") == 3
+    print("words: hostile names and titles are words")
+
+    given = [[HOSTILE.index(s["puck"]), s["at_s"], 0, 0, 0, 0, *s["p"], 0] for s in strokes]
+    played = page.call("play", 30, given)
     expected = {(turn["puck"], turn["t_s"], *turn["r_m"], *turn["beta_after"], turn["proper_time_s"])
                 for event in told for turn in event["turns"]}
-    found = {(names[int(turn["puck"])], turn["event"][0], *turn["event"][1:3], *turn["beta"], turn["properTime_s"])
+    found = {(HOSTILE[int(turn["puck"])], turn["event"][0], *turn["event"][1:3], *turn["beta"], turn["properTime_s"])
              for event in played if event["kind"] in (0, 1, 4) for turn in event["turns"]}
     late = {turn for turn in found - expected if turn[1] > 30}
     missing, more = expected - found, found - expected - late
@@ -82,7 +92,7 @@ def test_sight(page):
     worst = worst_twin = worst_card = 0.0
     count = 0
     names = ["white", "yellow", "red"]
-    for _ in range(4):
+    for _ in range(4 if THOROUGH else 2):
         t_s, place = random.uniform(0.5, 12), [random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(0.2, 1.5)]
         beta = [random.uniform(-0.5, 0.5) for _ in range(3)]
         at = page.call("observer", {"beta": beta, "position_m": place, "t_s": t_s})
@@ -102,7 +112,7 @@ def test_sight(page):
                 count += 1
     print(f"sight: {count} points of observers up to 0.87 c: engine - carom observe {worst:.2g} m, kernel - engine "
           f"{worst_twin:.2g} m, graphics card - kernel {worst_card:.2g} m")
-    assert count == 36 and worst < 1e-12 and worst_twin < 1e-9 and worst_card < 1e-5
+    assert count >= 18 and worst < 1e-12 and worst_twin < 1e-9 and worst_card < 1e-5
 
 
 def test_held(page):
@@ -114,41 +124,70 @@ def test_held(page):
     print(f"held: an observer at 1e6 s at {late['event'][0]:.3f} s, one at 2 c at 0.999 c")
 
 
+def covering(variants):
+    """Returns few of the variants, among which are every sort of legs with every paint, and every state of the effects."""
+    chosen, had = [], set()
+    for key in variants:
+        legs, paint, effects, moment = key.split("/")
+        has = {(legs, paint, moment), effects}
+        if has - had:
+            chosen.append(key)
+            had |= has
+    return chosen
+
+
 def test_programs(page):
-    count = page.call("programs")
-    print(f"programs: {count} variants of the shaders compiled and linked")
-    assert count == len(content(out / "page.html")[0]["shaders"]["variants"]) > 100
+    """Each text by a compiler of its own; in the browser, which takes a tenth of a second for each, by default few of
+    them."""
+    shaders = content(out / "page.html")[0]["shaders"]
+    variants, folder = shaders["variants"], out / "shaders"
+    assert len(variants) > 100
+    folder.mkdir()
+    texts = {(ending, "".join(shaders["parts"][part] for part in parts))
+             for pair in variants.values() for ending, parts in zip(("vert", "frag"), pair)}
+    files = [folder / f"{i}.{ending}" for i, (ending, _) in enumerate(texts)]
+    for file, (_, text) in zip(files, texts):
+        file.write_text(text)
+    validator = shutil.which("glslangValidator")
+    if validator:
+        found = subprocess.run([validator, *files], capture_output=True, text=True)
+        assert found.returncode == 0, found.stdout[-2000:]
+    chosen = list(variants) if THOROUGH or not validator else covering(variants)
+    assert page.call("programs", chosen) == len(chosen)
+    print(f"programs: {len(texts)} texts of {len(variants)} variants are valid, {len(chosen)} variants linked by the browser")
 
 
-def test_words():
-    hostile = ["</script><script>document.title='taken'</script>", 'a"b', "]]>", "‮abc", "白球"]
-    made = make(scenario(out / "words.toml", '</script>"]]>‮白球<!--', hostile), out / "words.html", "--until", 2)
-    with OpenPage(made) as page:
-        page.open()
-        assert page.run("return document.title") != "taken"
-        names = page.run("return [...document.querySelectorAll('option')].map(one => one.textContent).join('|')")
-        assert all(name in names for name in hostile), names
-        assert page.run("return document.getElementsByTagName('script').length") == 3
-    print("words: hostile names and titles are words")
+def said_with_picture(page):
+    """What the page says has failed; the still picture is there."""
+    assert page.run("return document.getElementById('still').getBoundingClientRect().height") > 50
+    return page.run("return document.getElementById('sorry').innerText")
 
 
-def test_broken():
+def test_trap(page):
+    page.run("try { window.carom.seen(0, 'mono', 1e6, [[0, 0, 0]]); } catch (error) { /* as expected */ }")
+    said = said_with_picture(page)
+    assert "failed" in said, said
+    print(f"broken: the engine traps: {said}")
+
+
+def test_broken(page):
     whole = (out / "page.html").read_bytes()
     (out / "cut.html").write_bytes(whole[: len(whole) * 9 // 10])
-    for name, file, flags, expected in [("a page cut at 90 %", "cut.html", (), "cut off"),
-                                        ("no WebGL 2", "page.html", ("--disable-3d-apis",), "WebGL 2")]:
-        with OpenPage(out / file, flags=flags) as page:
-            page.open()
-            said = page.run("return document.getElementById('sorry').innerText")
-            shows = page.run("return document.getElementById('still').getBoundingClientRect().height")
-        assert expected in said and shows > 50, (name, said, shows)
-        print(f"broken: {name}: {said}")
-    with OpenPage(out / "page.html") as page:
+    page.open(file=out / "cut.html")
+    said = said_with_picture(page)
+    assert "cut off" in said, said
+    print(f"broken: a page cut at 90 %: {said}")
+    page.without_webgl()
+    page.open(file=out / "page.html")
+    said = said_with_picture(page)
+    assert "WebGL 2" in said, said
+    print(f"broken: no WebGL 2: {said}")
+
+
+def test_no_card():
+    with OpenPage(out / "page.html", flags=("--disable-3d-apis",)) as page:
         page.open()
-        page.run("try { window.carom.seen(0, 'mono', 1e6, [[0, 0, 0]]); } catch (error) { /* as expected */ }")
-        said = page.run("return document.getElementById('sorry').innerText")
-        assert said and page.run("return document.getElementById('still').getBoundingClientRect().height") > 50, said
-        print(f"broken: the engine traps: {said}")
+        assert "WebGL 2" in said_with_picture(page)
 
 
 def test_lost_context():
@@ -167,12 +206,13 @@ def test_lost_context():
         print("broken: a lost context came back")
 
 
-test_physics()
-with OpenPage(out / "page.html") as opened:
-    opened.open()
-    for test in (test_sight, test_held, test_programs):
+with OpenPage() as opened:
+    test_physics_and_words(opened)
+    opened.open(UNDRAWN, out / "page.html")
+    for test in (test_sight, test_held, test_programs, test_trap, test_broken):
+        begun = time.monotonic()
         test(opened)
-test_words()
-test_broken()
-if "CAROM_PAGE_FRAMES" in os.environ:  # it takes minutes where there is no card
+        print(f"  {time.monotonic() - begun:.1f} s")
+if THOROUGH:
+    test_no_card()
     test_lost_context()
