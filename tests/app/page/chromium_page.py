@@ -34,8 +34,8 @@ class OpenPage:
         options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
         self.driver.set_script_timeout(300)
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 400})
+        self.metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 400}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", self.metrics)
 
     def __enter__(self):
         return self
@@ -52,9 +52,13 @@ class OpenPage:
         """Opens the page anew, or another one, and returns after how many seconds it has begun or given up."""
         if file:
             self.show(file)
+        return self.go(f"file://{self.file}{hash}")
+
+    def go(self, address):
+        """Opens the page of an address."""
         self.driver.get("about:blank")
         begun = time.monotonic()
-        self.driver.get(f"file://{self.file}{hash}")
+        self.driver.get(address)
         self.until("return document.body.classList.contains('ready') || !document.getElementById('sorry').hidden")
         return time.monotonic() - begun
 
@@ -64,6 +68,11 @@ class OpenPage:
           const given = HTMLCanvasElement.prototype.getContext;
           HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
             return kind === 'webgl2' ? null : given.call(this, kind, ...more); };"""})
+
+    def another_tab(self):
+        """Goes on in a tab of its own; the pages of the others stay."""
+        self.driver.switch_to.new_window("tab")
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", self.metrics)
 
     def until(self, script, patience_s=120.0):
         ends = time.monotonic() + patience_s
@@ -92,13 +101,13 @@ class OpenPage:
     def screenshot(self, file):
         self.driver.save_screenshot(str(file))
 
-    def requested(self):
-        """The addresses that the page has asked for."""
+    def requested(self, of="file:"):
+        """The addresses that pages of such addresses have asked for."""
         found = set()
         for entry in self.driver.get_log("performance"):
             message = json.loads(entry["message"])["message"]
             # The browser's own first page has requests, too.
-            if message["method"] == "Network.requestWillBeSent" and message["params"]["documentURL"].startswith("file:"):
+            if message["method"] == "Network.requestWillBeSent" and message["params"]["documentURL"].startswith(of):
                 found.add(message["params"]["request"]["url"])
             if message["method"] == "Network.webSocketCreated":
                 found.add(message["params"]["url"])

@@ -12,6 +12,11 @@ import subprocess
 import sys
 import time
 
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.actions.action_builder import ActionBuilder
+from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
+from selenium.webdriver.common.keys import Keys
+
 from chromium_page import OpenPage, UNDRAWN, content
 from page_engine_frames import in_board_axes
 
@@ -190,6 +195,67 @@ def test_no_card():
         assert "WebGL 2" in said_with_picture(page)
 
 
+def test_visit(page):
+    """Somebody who was not there tries all there is, by pointer and keys; the page fails nowhere and calls nobody."""
+    page.requested()
+    page.open(file=out / "page.html")
+    driver = page.driver
+    canvas = driver.find_element("id", "picture")
+    page.until("return window.carom.where(1) !== null")
+    page.run("document.querySelector('.menu').hidden = true")  # it lies over the picture of a small window
+    ActionChains(driver).drag_and_drop_by_offset(canvas, 40, 20).perform()
+    ActionChains(driver).scroll_from_origin(ScrollOrigin.from_element(canvas), 0, 200).perform()
+    for key in (" ", " ", Keys.ARROW_LEFT, Keys.ARROW_RIGHT, "h", "h"):
+        ActionChains(driver).send_keys_to_element(canvas, key).perform()
+    page.run("document.querySelector('.menu').hidden = false")
+    for select in driver.find_elements("css selector", "select"):
+        for value in range(len(select.find_elements("tag name", "option"))):
+            page.run("arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('change'))", select, value)
+            time.sleep(0.05)
+            for key in "wasd":
+                ActionChains(driver).send_keys_to_element(canvas, key).perform()
+    for box in driver.find_elements("css selector", ".check input"):
+        for _ in range(2):
+            page.run("arguments[0].click()", box)
+            time.sleep(0.05)
+    page.run("const slider = document.querySelector('input[type=range]'); slider.value = 5; slider.dispatchEvent(new Event('input'))")
+    page.until("return document.querySelectorAll('.events li').length > 0")
+    assert page.run("return document.getElementById('sorry').hidden"), page.log()
+    strange = {url for url in page.requested() if not url.startswith("data:")} - {f"file://{page.file}"}
+    assert not strange, strange
+    print("visit: every control was used; nobody was called")
+
+
+def test_stroke(page):
+    """Aims and pulls by the browser's own pointer events: the line to aim by is shown, and the stroke arrives."""
+    page.open(file=out / "page.html")
+    page.until("return window.carom.where(1) !== null")
+    page.run("document.querySelector('.menu').hidden = true; document.querySelector('.wide').click()")
+    names = ["white", "yellow", "red"]
+    places = {name: [round(of) for of in page.run("return window.carom.where(arguments[0]).at", page.call("body", name))] for name in names}
+    name = min(names, key=lambda one: math.dist(places[one], (200, 120)))  # the nearest to the window's middle
+    (x, y), body = places[name], page.call("body", name)
+    pull = -30 if y > 120 else 30
+    struck = f"return [...document.querySelectorAll('.events li')].filter(one => one.textContent.includes('{name} is struck')).length"
+    assert page.run(struck) == 0
+    pulls = ActionBuilder(page.driver)
+    pulls.pointer_action.move_to_location(x, y).pointer_down().move_to_location(x + 10, y + pull).pause(0.1)
+    pulls.perform()
+    aim = page.run("""const line = document.querySelector('.aim.shown line');
+      return line && ['x1', 'y1', 'x2', 'y2'].map(name => Number(line.getAttribute(name)))""")
+    assert aim and max(abs(aim[0] - x), abs(aim[1] - y)) < 44 and aim[2:] == [x + 10, y + pull], (aim, x, y)
+    lets_go = ActionBuilder(page.driver)
+    lets_go.pointer_action.pointer_up()
+    lets_go.perform()
+    assert not page.run("return document.querySelector('.aim.shown')")
+    page.until(f"{struck} > 0")
+    from_x, from_y, _ = page.run(f"return window.carom.where({body}).onBoard")
+    page.until(f"const [x, y] = window.carom.where({body}).onBoard; return Math.hypot(x - {from_x}, y - {from_y}) > 0.02")
+    strange = {url for url in page.requested() if not url.startswith("data:")} - {f"file://{page.file}"}
+    assert not strange, strange
+    print(f"stroke: {name} is pulled by a pointer, and struck; nobody was called")
+
+
 def test_lost_context():
     with OpenPage(out / "page.html") as page:
         page.open()
@@ -209,7 +275,7 @@ def test_lost_context():
 with OpenPage() as opened:
     test_physics_and_words(opened)
     opened.open(UNDRAWN, out / "page.html")
-    for test in (test_sight, test_held, test_programs, test_trap, test_broken):
+    for test in (test_sight, test_held, test_programs, *([test_visit] if THOROUGH else []), test_stroke, test_trap, test_broken):
         begun = time.monotonic()
         test(opened)
         print(f"  {time.monotonic() - begun:.1f} s")
