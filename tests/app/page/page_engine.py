@@ -197,7 +197,7 @@ def test_no_card():
 
 def test_visit(page):
     """Somebody who was not there tries all there is, by pointer and keys; the page fails nowhere and calls nobody."""
-    page.requested()
+    page.requested()  # by the pages before
     page.open(file=out / "page.html")
     driver = page.driver
     canvas = driver.find_element("id", "picture")
@@ -228,6 +228,7 @@ def test_visit(page):
 
 def test_stroke(page):
     """Aims and pulls by the browser's own pointer events: the line to aim by is shown, and the stroke arrives."""
+    page.requested()  # by the pages before
     page.open(file=out / "page.html")
     page.until("return window.carom.where(1) !== null")
     page.run("document.querySelector('.menu').hidden = true; document.querySelector('.wide').click()")
