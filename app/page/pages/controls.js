@@ -377,8 +377,9 @@ class Controls {
     this.steers = !this.held && isDriving && event.clientX < 2 * kStick_px && event.clientY > canvas.clientHeight - 4 * kStick_px ? event : null;
   }
 
-  // A body's centre, and where it is seen in the window; null where it is not.
+  // A body's centre, and where it is seen in the window; null where it is not, and before the first picture.
   where(body) {
+    if (!this.clip) return null;
     const centre = centreFromEye(this.shown.engine, body, this.view), at = centre && this.pixelOf(centre.fromEye);
     return at ? { body, at, ...centre } : null;
   }

@@ -45,6 +45,19 @@ puck_restitution = 0.95
 cushion_restitution = 0.9
 friction_m_s2 = 0.01
 """
+LESSON = """[lesson]
+question = {words}
+answers = [{words}, "No"]
+right = 1
+todo = {words}
+notice = {words}
+number = {words}
+from_s = 0.0
+until_s = 4.0
+moment_s = 2.0
+[observer]
+position_m = [0.0, -2.0, 0.0]
+"""
 PUCK = """[[puck]]
 name = {name}
 radius_m = 0.06
@@ -56,7 +69,8 @@ beta = [0.0, 0.0]
 
 
 def scenario(file, title, names, strokes=()):
-    text = SCENARIO.format(title=json.dumps(title, ensure_ascii=False))
+    words = json.dumps(title, ensure_ascii=False)
+    text = SCENARIO.format(title=words) + LESSON.format(words=words)
     for i, name in enumerate(names):
         text += PUCK.format(name=json.dumps(name, ensure_ascii=False), x=-1.0 + 0.4 * i, y=0.3 * (-1) ** i)
     for stroke in strokes:
@@ -77,7 +91,8 @@ def test_physics_and_words(page):
     names = page.run("return [...document.querySelectorAll('option')].map(one => one.textContent).join('|')")
     assert all(name in names for name in HOSTILE), names
     assert page.run("return document.getElementsByTagName('script').length") == 3
-    print("words: hostile names and titles are words")
+    assert page.call("about")["lesson"]["question"] == title
+    print("words: hostile names, titles and lessons are words")
 
     given = [[HOSTILE.index(s["puck"]), s["at_s"], 0, 0, 0, 0, *s["p"], 0] for s in strokes]
     played = page.call("play", 30, given)
@@ -257,29 +272,29 @@ def test_stroke(page):
     print(f"stroke: {name} is pulled by a pointer, and struck; nobody was called")
 
 
-def test_lost_context():
-    with OpenPage(out / "page.html") as page:
-        page.open()
-        page.run("""const gl = document.getElementById('picture').getContext('webgl2').getExtension('WEBGL_lose_context');
-          gl.loseContext(); setTimeout(() => gl.restoreContext(), 300);""")
-        page.until("return document.getElementById('picture').getContext('webgl2').isContextLost()")
-        page.until("return !document.getElementById('picture').getContext('webgl2').isContextLost()")
-        page.until("""const gl = document.getElementById('picture').getContext('webgl2'), at = new Uint8Array(4);
-          let sum = 0;
-          for (let x = 1; x < 10; ++x) { gl.readPixels(gl.drawingBufferWidth * x / 10, gl.drawingBufferHeight / 2, 1, 1, gl.RGBA,
-            gl.UNSIGNED_BYTE, at); sum += at[0] + at[1] + at[2]; }
-          return sum > 100""")
-        assert page.run("return document.getElementById('sorry').hidden")
-        print("broken: a lost context came back")
+def test_lost_context(page):
+    page.open(file=out / "page.html")
+    lit = """const gl = document.getElementById('picture').getContext('webgl2'), at = new Uint8Array(4);
+      let sum = 0;
+      for (let x = 1; x < 10; ++x) { gl.readPixels(gl.drawingBufferWidth * x / 10, gl.drawingBufferHeight / 2, 1, 1, gl.RGBA,
+        gl.UNSIGNED_BYTE, at); sum += at[0] + at[1] + at[2]; }
+      return sum > 100"""
+    page.until(lit)
+    page.run("""const gl = document.getElementById('picture').getContext('webgl2').getExtension('WEBGL_lose_context');
+      gl.loseContext(); setTimeout(() => gl.restoreContext(), 300);""")
+    page.until("return document.getElementById('picture').getContext('webgl2').isContextLost()")
+    page.until("return !document.getElementById('picture').getContext('webgl2').isContextLost()")
+    page.until(lit)
+    assert page.run("return document.getElementById('sorry').hidden")
+    print("broken: a lost context came back")
 
 
 with OpenPage() as opened:
     test_physics_and_words(opened)
     opened.open(UNDRAWN, out / "page.html")
-    for test in (test_sight, test_held, test_programs, *([test_visit] if THOROUGH else []), test_stroke, test_trap, test_broken):
+    for test in (test_sight, test_held, test_programs, *([test_visit] if THOROUGH else []), test_stroke, test_lost_context, test_trap, test_broken):
         begun = time.monotonic()
         test(opened)
         print(f"  {time.monotonic() - begun:.1f} s")
 if THOROUGH:
     test_no_card()
-    test_lost_context()

@@ -137,7 +137,7 @@ def check(page, name, share=0.0):
                         continue
                     worst_solve = max(worst_solve, numpy.abs(card - twin).max())
                     width, height = wall["pixels"]
-                    inside = (rim > 8).all(axis=1) & (rim[:, 0] < width - 8) & (rim[:, 1] < height - 8)
+                    inside = (rim[:, 0] > 8) & (rim[:, 1] > top + 8) & (rim[:, 0] < width - 8) & (rim[:, 1] < height - 8)
                     points += len(circle)
                     if not inside.all():
                         continue
