@@ -49,6 +49,7 @@ OWN_WORDS = {
     "cave/display/window.cpp": "messages of the command line about windows",
     "cave/render/body_program.h": "names in a shader",
     "cave/render/body_shaders.cpp": "source of a shader",
+    "cave/render/mark_buffer.cpp": "a line of a shader",
     "cave/spectator/solid_drawer.cpp": "names in a shader",
     "app/viewer/hand_tracking.cpp": "messages of the log about trackers",
     "app/viewer/head_tracking.cpp": "messages of the log about trackers",
