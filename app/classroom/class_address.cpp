@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -56,5 +57,13 @@ std::string anyRoomWord() {
 }
 
 std::string anyPin() { return fmt::format("{:06}", anyBelow(1000000)); }
+
+std::string anyTakeCode() {
+  constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ";
+  constexpr std::size_t kLength = 8;
+  std::string code;
+  while (code.size() < kLength) code += kLetters[anyBelow(static_cast<std::uint32_t>(kLetters.size()))];
+  return code;
+}
 
 }  // namespace carom

@@ -13,4 +13,8 @@ std::string addressOfDefaultRoute();
 std::string anyRoomWord();
 std::string anyPin();
 
+/// Returns the code of a page to take home: eight letters by chance from the operating system, without those
+/// that look like digits. There are 10¹¹ codes.
+std::string anyTakeCode();
+
 }  // namespace carom

@@ -34,6 +34,9 @@ class ClassDesk {
   /// Adds the votes that have counted since the last call.
   void takeVotes(std::vector<ClassVote>& votes);
 
+  /// Keeps a page under its code, and offers it on the walls. From any thread.
+  void offer(const std::string& code, std::string page) { server_.offer(code, std::move(page)); }
+
   /// Takes a step for the person at the console.
   void ask(ClassStep step) { server_.ask(step); }
 

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/classroom/class_flow.h"
 #include "app/tables/html_text.h"
+#include "cave/texts/page_texts.h"
 #include "cave/texts/texts.h"
 #include "pages/class_css.h"
 #include "pages/class_html.h"
@@ -28,8 +30,10 @@ std::string wordsOfScript() {
 
 }  // namespace
 
-ClassPages classPages(const std::string& word) {
-  PageWords ofPage{{"word", htmlOf(word)}, {"language", texts::kLanguage}};
+ClassPages classPages(const std::string& word, bool follows) {
+  PageWords ofPage{{"word", htmlOf(word)}, {"language", texts::kLanguage}, {"follow", ""}};
+  if (follows)
+    ofPage["follow"] = fmt::format("<p><a href=\"/follow\">{}</a></p>", htmlOf(texts::page::kFollow));
   for (const texts::phone::Named& text : texts::phone::kPage) ofPage[text.name] = htmlOf(text.words);
   return {filled(pages::class_html, ofPage), pages::class_css,
           filled(pages::class_js, {{"texts", wordsOfScript()}})};

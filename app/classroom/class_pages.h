@@ -10,7 +10,7 @@ struct ClassPages {
   std::string page, style, script;
 };
 
-/// Returns the pages of the class in the room of this word.
-ClassPages classPages(const std::string& word);
+/// Returns the pages of the class in the room of this word. `follows`: the game may be followed by phone.
+ClassPages classPages(const std::string& word, bool follows = false);
 
 }  // namespace carom

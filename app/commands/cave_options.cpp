@@ -191,6 +191,17 @@ void addClassAndStudy(CLI::App& command, const std::shared_ptr<CaveOptions>& opt
       "--class", options->hasClass,
       "Let a class answer by phone: the front wall shows how to join. Prints the address of the pages, the "
       "word of the room and the teacher's PIN. Without it no socket is open");
+  command
+      .add_flag(
+          "--take", options->takes,
+          "After a game the front wall offers a QR code, by which whoever played it gets its page (carom "
+          "page) on their phone, for an hour")
+      ->needs(with)
+      ->needs(command.get_option("--session"));
+  command
+      .add_flag("--follow", options->follows,
+                "Phones may follow the game live, each by the eyes of an observer of its own")
+      ->needs(with);
   CLI::Option* study =
       command
           .add_option("--study", options->study,

@@ -41,6 +41,8 @@ struct CaveOptions {
   bool silent = false;       ///< no sounds
   std::string pin;           ///< opens the lock of the keys (app/input/key_lock.h); empty: there is none
   bool hasClass = false;     ///< a class answers by phone
+  bool takes = false;        ///< after a game the wall offers its page
+  bool follows = false;      ///< phones may follow the game live
   std::string classAddress;  ///< on which its server listens; empty: that of the default route
   std::uint16_t classPort = 8080;     ///< 0: any that is free
   std::string link;                   ///< with which room, as app/link/link_address.h; empty: as the rig says

@@ -16,6 +16,7 @@
 #include "app/classroom/class_desk.h"
 #include "app/classroom/study_desk.h"
 #include "app/commands/cave_link.h"
+#include "app/commands/cave_phones.h"
 #include "app/commands/session_frames.h"
 #include "app/files/config_folder.h"
 #include "app/files/rig_viewers.h"
@@ -169,11 +170,11 @@ const Lesson* lessonOf(const SessionSetup& setup) {
 
 /// Opens the class, if one takes part, and prints how to join.
 std::unique_ptr<ClassDesk> openClass(const CaveOptions& options, const SessionSetup& setup,
-                                     const SetupOptions& inputs, const Before& before) {
+                                     const SetupOptions& inputs, const Before& before, CavePhones* phones) {
   if (!options.hasClass) return nullptr;
-  const ClassServerOptions server{
-      options.classAddress.empty() ? addressOfDefaultRoute() : options.classAddress, options.classPort,
-      anyRoomWord(), anyPin()};
+  ClassServerOptions server{options.classAddress.empty() ? addressOfDefaultRoute() : options.classAddress,
+                            options.classPort, anyRoomWord(), anyPin()};
+  if (phones) server.followed = phones->followed();
   auto desk = std::make_unique<ClassDesk>(server, before.classroom);
   desk->play(lessonOf(setup), inputs.scenario.file.string());
   const ClassInvitation& invitation = desk->invitation();
@@ -217,7 +218,8 @@ struct LivePlay {
                devicesOf(setup.realTime ? setup.walls.get() : nullptr, keysOf(options)), options.unattended_s,
                options.scenario.string()),
         sounds(soundsFor(setup, options.silent || options.noWindow)),
-        classroom(openClass(options, setup, inputs, before)) {
+        phones(options.takes || options.follows ? std::make_unique<CavePhones>(options) : nullptr),
+        classroom(openClass(options, setup, inputs, before, phones.get())) {
     journal.endWith([this] { return source.endForces(); });
     if (classroom) leader.teach(*classroom);
     std::optional<StudyInputs> given;
@@ -226,6 +228,7 @@ struct LivePlay {
     const bool isHall = link && link->joins();
     const bool isNew = !isHall && (options.study.empty() || !std::filesystem::exists(*options.session));
     if (isNew) journal.keep(openJournal(options, game, inputs, setup));
+    if (phones) phones->play(setup, options.session.value_or(""));
     if (!given) return;
     journal.keep(nullptr);  // of a study the lessons alone are written
     study = openStudy(*std::move(given), options, inputs);
@@ -238,7 +241,10 @@ struct LivePlay {
 
   LivePlay(const LivePlay&) = delete;
   LivePlay& operator=(const LivePlay&) = delete;
-  ~LivePlay() { endForces(); }
+  ~LivePlay() {
+    endForces();
+    if (phones) phones->finish();
+  }
 
   /// Whatever ends the session, a hand is left without force, and the session file says so.
   void endForces() noexcept {
@@ -257,6 +263,7 @@ struct LivePlay {
   LiveSource source;
   FrameLeader leader;
   std::unique_ptr<Sounds> sounds;
+  std::unique_ptr<CavePhones> phones;    // null without --take and --follow
   std::unique_ptr<ClassDesk> classroom;  // null without --class
   JournalListener journal;
   std::unique_ptr<StudyDesk> study;  // null without --study
@@ -345,11 +352,13 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
     play->source.playAnew();
     if (play->classroom) play->classroom->play(lessonOf(setup), file);
     std::optional<std::filesystem::path> session;
-    play->journal.keep(nullptr);  // before the study writes
+    play->journal.keep(nullptr);  // before the study writes, and before the page of the game is made
+    if (play->phones) play->phones->end(*play->classroom);
     const bool isWanted = !play->study || play->study->play(file);
     play->source.holdHeads(play->study && play->study->isStill());
     if (isWanted && writeNext(play->journal, options, next, inputs, setup)) session = options.session;
     if (play->study && session) play->study->begun();
+    if (play->phones) play->phones->play(setup, session.value_or(""));
     if (windows.console) windows.console->writeTo(session);
     if (play->status) play->status->play(setup.rig, setup.scenario.title, session.value_or(""));
     OperatorSettings settings =
@@ -379,7 +388,8 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
                          &play->journal,
                          play->status.get(),
                          play->classroom.get(),
-                         play->study ? &*play->studyListener : nullptr};
+                         play->study ? &*play->studyListener : nullptr,
+                         play->phones.get()};
   SessionFrames frames(cluster, setup, *play->pacer, &lead, keys);
   frames.context().keyLock = &lock;
   const bool isAskedToEnd = runFrames(frames.context());

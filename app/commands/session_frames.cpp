@@ -108,6 +108,7 @@ void SessionFrames::listen(SessionSetup& setup, const LeaderParts& lead, KeysOf 
                                           keys, lead.classroom, lead.study ? &lead.study->desk() : nullptr));
   }
   if (lead.study) listeners.push_back(lead.study);
+  if (lead.phones) listeners.push_back(lead.phones);
   if (!setup.realTime) listeners.push_back(&progress_.emplace(lead.source));
 }
 

@@ -39,11 +39,12 @@ struct LeaderParts {
   const FrameSource& source;
   FrameLeader& leader;
   OperatorWindows& windows;
-  Sounds* sounds;                  ///< null if silent
-  JournalListener* journal;        ///< null if the session is not recorded
-  StatusFile* status;              ///< null if there is none
-  ClassDesk* classroom = nullptr;  ///< null if no class takes part
-  StudyListener* study = nullptr;  ///< null if there is no study
+  Sounds* sounds;                   ///< null if silent
+  JournalListener* journal;         ///< null if the session is not recorded
+  StatusFile* status;               ///< null if there is none
+  ClassDesk* classroom = nullptr;   ///< null if no class takes part
+  StudyListener* study = nullptr;   ///< null if there is no study
+  FrameListener* phones = nullptr;  ///< null if none follows
 };
 
 /// Opens the audio output of the system. Returns null in simulated time or if `silent`.

@@ -91,6 +91,10 @@ FileKey lessonKeys() {
                    "its speed over c in the observer's room, the speed with which it is seen to move over "
                    "c, its Lorentz factor, or how long it looks along its motion",
                    0)}),
+       drawings("label", "a plate with a short word that stands at a place of the board",
+                {required(text("text", "at most twelve letters, of ASCII and °βγτΔ²×±≈")),
+                 required(numbers("at_m", 3, {}, "its foot")),
+                 flag("explains", "it stands there only while the lesson explains")}),
        drawings("line", "a straight line on the cloth",
                 {required(numbers("from_m", 3, {}, "its one end")),
                  required(numbers("to_m", 3, {}, "its other end"))}),

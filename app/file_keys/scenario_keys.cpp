@@ -213,7 +213,8 @@ FileKey caption() {
                  ofLetters(kCaptionLetters,
                            text("hand_text",
                                 "instead of text for viewers with a wand, who have no keys; left out: text")),
-                 viewsKey("time views that are on until the next caption begins")});
+                 viewsKey("time views that are on until the next caption begins"),
+                 flag("colour", "Doppler colour and searchlight are on until the next caption begins")});
 }
 
 }  // namespace

@@ -99,6 +99,7 @@ struct Caption {
   std::string text;
   std::string handText;  ///< for viewers with a tracked hand, which has no keys
   TimeViews views;
+  bool colour = false;  ///< Doppler colour and searchlight are on
 };
 
 struct Scenario {

@@ -94,6 +94,17 @@ class PlanReader {
     return {body(table), static_cast<GaugeQuantity>(table.choice("shows"))};
   }
 
+  LessonLabel label(const TomlTable& table) const {
+    constexpr std::size_t kMostLetters = 12;
+    LessonLabel label{table.text("text"), toVec3(table.numbers<3>("at_m")), table.flag("explains")};
+    const auto letters = std::count_if(label.words.begin(), label.words.end(),
+                                       [](char byte) { return (byte & 0xc0) != 0x80; });
+    if (static_cast<std::size_t>(letters) > kMostLetters)
+      table.fault("text",
+                  fmt::format("the label has {} letters, expected at most {}", letters, kMostLetters));
+    return label;
+  }
+
   ClothLine line(const TomlTable& table) const {
     return {toVec3(table.numbers<3>("from_m")), toVec3(table.numbers<3>("to_m"))};
   }
@@ -165,6 +176,7 @@ LessonPlan readLessonPlan(const TomlTable& lesson, const LessonGame& game) {
       readAll(lesson, "stopwatch", [&](const TomlTable& table) { return read.stopwatch(table); });
   plan.counters = readAll(lesson, "counter", [&](const TomlTable& table) { return read.counter(table); });
   plan.gauges = readAll(lesson, "gauge", [&](const TomlTable& table) { return read.gauge(table); });
+  plan.labels = readAll(lesson, "label", [&](const TomlTable& table) { return read.label(table); });
   plan.lines = readAll(lesson, "line", [&](const TomlTable& table) { return read.line(table); });
   plan.simultaneous =
       readAll(lesson, "simultaneous", [&](const TomlTable& table) { return read.simultaneous(table); });

@@ -72,7 +72,8 @@ std::vector<Caption> readCaptions(const TomlTable& root) {
                     .for_s = table.number("for_s"),
                     .text = readWords(table, "text"),
                     .handText = {},
-                    .views = readViews(table)};
+                    .views = readViews(table),
+                    .colour = table.flag("colour")};
     caption.handText = table.has("hand_text") ? readWords(table, "hand_text") : caption.text;
     if (caption.from_s < free_s) {
       table.fault("from_s",

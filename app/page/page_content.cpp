@@ -10,11 +10,10 @@
 
 #include "app/page/page_bulk.h"
 #include "app/page/page_meshes.h"
+#include "app/page/page_rows.h"
 #include "app/page/page_shaders.h"
 #include "cave/frame/bodies.h"
 #include "cave/gl/view_colours.h"
-#include "cave/record/effects.h"
-#include "cave/record/time_views.h"
 #include "cave/room/wall_eyes.h"
 #include "cave/texts/page_texts.h"
 #include "engine/light/spin_steps.h"
@@ -37,43 +36,6 @@ Json vectorOf(const Vector& v) {
   return json;
 }
 
-std::vector<double> numbersOf(const Knot& k) {
-  std::vector<double> numbers;
-  const auto add = [&](const Event& event) {
-    for (const double value : {event.t_s, event.r_m.x, event.r_m.y, event.r_m.z}) numbers.push_back(value);
-  };
-  add(k.turn);
-  for (int i = 0; i < 3; ++i) numbers.push_back(k.u[i]);
-  numbers.push_back(k.properTime_s);
-  add(k.signal);
-  for (const double value :
-       {k.deceleration_m_s2, k.spin.angle_rad, k.spin.omega_rad_s, k.spin.rim_u, k.spin.slowing_1_s})
-    numbers.push_back(value);
-  return numbers;
-}
-
-std::vector<double> numbersOf(const VisitFrame& frame) {
-  std::vector<double> numbers{static_cast<double>(frame.number), frame.display_s, frame.observer.properTime_s,
-                              frame.fade};
-  for (const EyeView& eye : frame.observer.all()) {
-    numbers.push_back(eye.observation.t_s);
-    for (const Vec3& place : {eye.observation.r_m, eye.positionInRoom_m, eye.seenFromInRoom_m})
-      for (int i = 0; i < 3; ++i) numbers.push_back(place[i]);
-  }
-  for (const Lorentz& transform : {frame.observer.headFromBoard, frame.boardFromRoom})
-    for (int column = 0; column < 4; ++column)
-      for (int row = 0; row < 4; ++row) numbers.push_back(transform.matrix()[column][row]);
-  return numbers;
-}
-
-template <typename Flags, typename Named>
-std::uint32_t bitsOf(const Flags& flags, const Named& named) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < named.size(); ++i)
-    if (flags.*named[i].value) bits |= 1U << i;
-  return bits;
-}
-
 /// Adds rows of numbers of equal length as one column, the first numbers of all rows first.
 Json addRows(PageBulk& bulk, const std::vector<std::vector<double>>& rows) {
   std::vector<double> column;
@@ -90,10 +52,8 @@ Json framesOf(const Visit& visit, PageBulk& bulk) {
   std::vector<std::uint32_t> states;
   for (const VisitFrame& frame : visit.frames) {
     rows.push_back(numbersOf(frame));
-    states.push_back(bitsOf(frame.switches, kNamedSwitches));
-    states.push_back(bitsOf(frame.views, kNamedViews));
-    states.push_back(bitsOf(frame.views.beside, kNamedSwitches));
-    states.push_back(static_cast<std::uint32_t>(frame.lesson.phase));
+    const std::vector<std::uint32_t> state = statesOf(frame);
+    states.insert(states.end(), state.begin(), state.end());
   }
   return {{"numbers", addRows(bulk, rows)}, {"states", jsonOf(bulk.add(states))}};
 }
@@ -183,6 +143,7 @@ void addScene(const Visit& visit, const Scene& scene, PageBulk& bulk, Json& json
     if (std::find(paints.begin(), paints.end(), part.paint) == paints.end()) paints.push_back(part.paint);
   }
   std::vector<Switches> recorded{Switches{}, kNoSwitches};
+  if (visit.live) recorded = {{1, 1, 1, 0, 0}, {1, 1, 1, 1, 0}, {1, 1, 1, 0, 1}, {1, 1, 1, 1, 1}};  // any
   for (const VisitFrame& frame : visit.frames)
     for (const Switches& one : {frame.switches, frame.views.beside})
       if (std::find(recorded.begin(), recorded.end(), one) == recorded.end()) recorded.push_back(one);
@@ -307,6 +268,7 @@ std::string pageContent(const Visit& visit, const Scene& scene) {
             {"game", gameOf(visit)},
             {"lesson", lessonOf(visit.scenario)},
             {"captions", captionsOf(visit.scenario)},
+            {"live", visit.live ? Json(*visit.live) : Json(nullptr)},
             {"texts", textsOf()}};
   addScene(visit, scene, bulk, json);
   const std::string text = json.dump();

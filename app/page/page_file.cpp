@@ -14,6 +14,7 @@
 #include "pages/controls_js.h"
 #include "pages/data_js.h"
 #include "pages/engine_js.h"
+#include "pages/live_js.h"
 #include "pages/observer_js.h"
 #include "pages/picture_js.h"
 #include "pages/play_js.h"
@@ -66,9 +67,10 @@ std::string pageOf(const Visit& visit, const Scene& scene) {
   PageWords words{{"title", htmlOf(visit.scenario.title)},
                   {"language", texts::kLanguage},
                   {"style", pages::visit_css},
+                  {"reaches", visit.live ? "'self'" : "'none'"},
                   {"script", std::string("\"use strict\";\n(() => {\n") + pages::engine_js + pages::data_js +
                                  pages::room_js + pages::picture_js + pages::observer_js + pages::play_js +
-                                 pages::controls_js + pages::start_js + "})();\n"},
+                                 pages::live_js + pages::controls_js + pages::start_js + "})();\n"},
                   {"picture", stillPicture(visit, linesOf(visit))},
                   {"engine", engine},
                   {"engineLength", std::to_string(engine.size())},

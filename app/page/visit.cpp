@@ -51,12 +51,6 @@ class KnownChanges {
   Visit& visit_;
 };
 
-VisitFrame frameOf(const FrameRecord& record, std::size_t viewer) {
-  return {record.number,        record.display_s, record.viewers[viewer].observer,
-          record.boardFromRoom, record.switches,  record.views,
-          record.lesson,        record.fade};
-}
-
 /// The place of the room where a head was longest, to 0.1 m.
 class LongestPlace {
  public:
@@ -147,7 +141,24 @@ void readFrames(SessionFile& session, std::size_t viewer, const VisitOptions& op
   if (options.hasStillEyes) standStill(visit, room_s);
 }
 
+constexpr double kEyes_m = 1.7, kEyeBeside_m = 0.032;  // of an observer without a room
+
+Head headAtStart(const RoomAxes& axes) { return {{kEyes_m * axes.up, {1.0, 0.0, 0.0, 0.0}}, {}}; }
+
+/// Returns an observer who stands at the start of a game.
+Observers observersAtStart(const Scenario& scenario, const RoomAxes& axes) {
+  const double c_m_s = scenario.billiard.lightSpeed_m_s;
+  return {startingRoom(scenario.observer, axes, c_m_s), Event{0.0, scenario.observer.position_m},
+          headAtStart(axes)};
+}
+
 }  // namespace
+
+VisitFrame frameOf(const FrameRecord& record, std::size_t viewer) {
+  return {record.number,        record.display_s, record.viewers[viewer].observer,
+          record.boardFromRoom, record.switches,  record.views,
+          record.lesson,        record.fade};
+}
 
 Visit visitOf(const std::filesystem::path& file, const VisitOptions& options) {
   SessionFile session(file, options.game);
@@ -174,16 +185,14 @@ Visit visitOf(const std::filesystem::path& file, const VisitOptions& options) {
 }
 
 Visit visitOf(const std::filesystem::path& file, double until_s) {
-  constexpr double kEyes_m = 1.7, kFrame_s = 0.05, kEyeBeside_m = 0.032;
+  constexpr double kFrame_s = 0.05;
   Visit visit;
   visit.scenario = readScenario(file);
   checkGame(visit.scenario, file.string());
-  const double c_m_s = visit.scenario.billiard.lightSpeed_m_s;
   visit.atStart = startingHistories(visit.scenario);
   visit.eyeBesideMiddle_m = kEyeBeside_m * visit.axes.right;
-  const Head head{{kEyes_m * visit.axes.up, {1.0, 0.0, 0.0, 0.0}}, {}};
-  Observers observers(startingRoom(visit.scenario.observer, visit.axes, c_m_s),
-                      Event{0.0, visit.scenario.observer.position_m}, head);
+  const Head head = headAtStart(visit.axes);
+  Observers observers = observersAtStart(visit.scenario, visit.axes);
   for (double lived_s = 0.0; observers.headEvent().t_s <= until_s && visit.frames.size() < kMostVisitFrames;
        lived_s += kFrame_s) {
     visit.frames.push_back({visit.frames.size(), lived_s, observers.view(2.0 * kEyeBeside_m),
@@ -200,6 +209,20 @@ Visit visitOf(const std::filesystem::path& file, double until_s) {
     all.knots.push_back({kFirstPuck + added.puck, added.knot});
   visit.changes.push_back(std::move(all));
   visit.events.assign(billiard.events().begin(), billiard.events().end());
+  return visit;
+}
+
+Visit visitToFollow(const Rig& rig, const Scenario& scenario, std::uint64_t game) {
+  checkGame(scenario, "follow");
+  Visit visit;
+  visit.scenario = scenario;
+  visit.axes = rig.axes;
+  visit.atStart = startingHistories(scenario);
+  visit.tessellation = tessellationFor(rig, true);
+  const Observers observers = observersAtStart(scenario, rig.axes);
+  visit.frames.push_back({0, 0.0, observers.view(2.0 * kEyeBeside_m), observers.boardFromRoom(), Switches{},
+                          TimeViews{}, LessonState{}, 0.0});
+  visit.live = game;
   return visit;
 }
 

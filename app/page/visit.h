@@ -57,6 +57,7 @@ struct Visit {
   Vec3 eyeBesideMiddle_m{0.0};  ///< the right eye; room frame
   double known_s = 0.0;         ///< board time until which the game is known
   Tessellation tessellation;
+  std::optional<std::uint64_t> live;  ///< the number of the game that the page follows while it is played
 };
 
 /// The most that a page holds: a browser on a phone has little memory.
@@ -67,6 +68,13 @@ inline constexpr double kLongestGame_s = 3600.0;
 /// Returns a part of a session. Throws InputErrors, what SessionFile throws, and std::runtime_error for a
 /// part without frames, for too much for a page and for soft pucks.
 Visit visitOf(const std::filesystem::path& session, const VisitOptions& options);
+
+/// Returns the part of a frame that a page has of one viewer.
+VisitFrame frameOf(const FrameRecord& record, std::size_t viewer);
+
+/// Returns a game that is about to be played in a room, for a page that follows it live: one frame, of an
+/// observer at its start. Throws std::runtime_error for what a page cannot hold.
+Visit visitToFollow(const Rig& rig, const Scenario& scenario, std::uint64_t game);
 
 /// Returns the game of a scenario until a board time, seen by an observer who stands at its start. Throws
 /// likewise.

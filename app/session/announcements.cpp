@@ -60,7 +60,8 @@ void Announcements::sayTo(std::size_t viewer, std::string_view words, Decision& 
 
 void Announcements::tellEffects(std::span<const Command> commands, Decision& decision) {
   FrameRecord& record = decision.frame.record;
-  const std::string changes = changesBy(commands);
+  const bool byCaption = std::exchange(captionTurnsEffects_, false);  // whose sentence tells of it
+  const std::string changes = byCaption ? std::string() : changesBy(commands);
   if (!changes.empty() && effects_) {
     std::tie(record.switches, record.views.beside) = *effects_;
     pending_ = changes;
@@ -147,6 +148,11 @@ void Announcements::beginCaptions(double own_s, Decision& decision) {
     for (const NamedView& view : kNamedViews) {
       const bool on = caption.views.*view.value != 0;
       if (on || before.*view.value != 0) decision.commands.push_back(SetView{view.value, on});
+    }
+    if (caption.colour || (captions_ > 0 && captions[captions_ - 1].colour)) {
+      captionTurnsEffects_ = true;
+      for (const auto effect : {&Switches::colour, &Switches::searchlight})
+        decision.commands.push_back(SetSwitch{effect, false, caption.colour});
     }
     decision.notes.push_back({"notice", caption.text});
   }

@@ -78,6 +78,7 @@ class Announcements {
   std::array<StatusMessage, kMostViewers> messages_;       ///< of each viewer
   std::string kept_;                                       ///< words that stand while there are no others
   std::string pending_;                                    ///< message still to be shown
+  bool captionTurnsEffects_ = false;                       ///< with the next frame
   std::size_t captions_ = 0;                               ///< that have begun
   bool saidWhyStill_ = false;                              ///< why steering does nothing was said
   std::optional<std::tuple<Switches, Switches>> effects_;  ///< in the previous frame: left, right

@@ -192,6 +192,7 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
     scene.soft.push_back(toldModel(shape, colourOf(body.name, told.size() + i)));
   }
   for (const Pulse& pulse : scenario.pulses) scene.pulses.push_back({pulse.at_s, pulse.path_m});
+  for (const Flash& flash : scenario.billiard.flashes) scene.flashes.push_back(flash.name);
   if (scenario.lesson) scene.lesson = scenario.lesson->plan;
   scene.sculpted = sculptedOf(scenario);
   scene.ruler = rulerBeside(scenario.billiard, scenario.observer.position_m);

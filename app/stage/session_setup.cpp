@@ -193,7 +193,10 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
         fmt::format("{}: frame_lock = \"swap-group\": {}; the nodes' messages alone hold the swaps together.",
                     cluster.nameOf(cluster.rank()), setup.lock.whyNot()));
   }
-  if (setup.realTime && !options.noWindow) setup.swapsWait = warmUp(cluster, setup);
+  if (setup.realTime && !options.noWindow) {
+    setup.swapsWait = warmUp(cluster, setup);
+    setup.walls->sayStarting();
+  }
   for (const std::string& window : setup.walls->misplaced())
     log::warn(fmt::format("{}: {}", cluster.nameOf(cluster.rank()), window));
   setup.world = {historiesAtStart(setup), {}};

@@ -1,6 +1,11 @@
 #include "cave/display/display_walls.h"
 
+#include <imgui.h>
+
 #include <utility>
+
+#include "cave/gl/gui.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 
@@ -22,6 +27,12 @@ void DisplayWalls::setScene(const Scene& scene, double lightSpeed_m_s) {
 void DisplayWalls::setRoom(const RoomGeometry& room) {
   graphics_.makeCurrent();
   overlays_.setRoom(room);
+}
+
+void DisplayWalls::sayStarting() {
+  show([] { overCorner("##starting", [] { ImGui::TextUnformatted(texts::message::kStarting); }); });
+  awaitShown();
+  swap();
 }
 
 void DisplayWalls::draw(const FrameRecord& record, const World& world) {

@@ -26,6 +26,8 @@ class DisplayWalls {
   /// Shows another game in the same windows.
   void setScene(const Scene& scene, double lightSpeed_m_s);
   void setRoom(const RoomGeometry& room);
+  /// Shows in every window that the session starts: its first frame can take some seconds.
+  void sayStarting();
 
   /// Returns what lies over the session, to set what the game has of it.
   WallOverlays& overlays() { return overlays_; }

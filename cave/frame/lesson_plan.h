@@ -66,6 +66,13 @@ struct Gauge {
   GaugeQuantity quantity = GaugeQuantity::speed;
 };
 
+/// A plate with a short word that stands at a place of the board.
+struct LessonLabel {
+  std::string words;
+  Vec3 at_m{0.0};
+  bool explains = false;  ///< it stands there only while the lesson explains
+};
+
 /// A straight line on the cloth, at rest.
 struct ClothLine {
   Vec3 from_m{0.0}, to_m{0.0};
@@ -87,6 +94,7 @@ struct LessonPlan {
   std::vector<Stopwatch> stopwatches;
   std::vector<TickCounter> counters;
   std::vector<Gauge> gauges;
+  std::vector<LessonLabel> labels;
   std::vector<ClothLine> lines;
   std::vector<SimultaneityLine> simultaneous;
 };

@@ -9,6 +9,7 @@
 #include "cave/overlay/panel_place.h"
 #include "cave/overlay/wall_buttons.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/page_texts.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -44,6 +45,8 @@ bool isSmall(const ClassView& view) {
 
 std::vector<std::string> classLines(const ClassView& view) {
   if (view.phase == ClassPhase::explained) return {};
+  if (view.word.words().empty())
+    return {texts::page::kTakeHome, std::string(view.address.words()), texts::page::kForAnHour};
   std::vector<std::string> lines{std::string(view.address.words()),
                                  fmt::format(texts::classroom::kRoom, view.word.words())};
   const bool isTooFew = view.answered > 0 && !isCounted(view, 0) && !isCounted(view, 1);

@@ -24,6 +24,7 @@ struct TimeViews {
   std::uint8_t heat = 0;       ///< or how hot they are
   std::uint8_t news = 0;       ///< rings of news, at the speed of light, around each hit
   std::uint8_t spacetime = 0;  ///< the game's spacetime stands in the room, with time upwards
+  std::uint8_t speeds = 0;     ///< a plate above each moving puck: the speed with which it is seen to move
   Switches beside = kNoSwitches;  ///< switches of the right half: Newton's, unless chosen otherwise
 
   bool operator==(const TimeViews&) const = default;
@@ -44,7 +45,7 @@ struct NamedView {
 };
 
 /// A session file stores them as one number, whose bits are in this order.
-inline constexpr std::array<NamedView, 13> kNamedViews{{
+inline constexpr std::array<NamedView, 14> kNamedViews{{
     {"board-now", &TimeViews::boardNow, 'N', texts::keys::kBoardNow, texts::console::kBoardNowTip, nullptr,
      true},
     {"my-now", &TimeViews::myNow, 'M', texts::keys::kMyNow, texts::console::kMyNowTip, nullptr, true},
@@ -66,6 +67,8 @@ inline constexpr std::array<NamedView, 13> kNamedViews{{
     {"news", &TimeViews::news, '.', texts::keys::kNews, texts::console::kNewsTip, texts::legend::kNews, true},
     {"spacetime", &TimeViews::spacetime, 'I', texts::keys::kSpacetime, texts::console::kSpacetimeTip,
      texts::legend::kSpacetime, false},
+    {"speeds", &TimeViews::speeds, ',', texts::keys::kSpeeds, texts::console::kSpeedsTip,
+     texts::legend::kSpeeds, true},
 }};
 
 }  // namespace carom

@@ -21,6 +21,7 @@ constexpr float kAlways_m = -1e30F;       // means that the body has always exis
 constexpr float kDecalNearer = 0.002F;    // fraction of the distance by which a decal is drawn nearer
 constexpr float kBodiesNearer = 0.0005F;  // the same of the last body
 constexpr float kHatch = 0.5F;            // of a ghost, as a fraction of its body's reach from its centre
+constexpr float kMostHatch_m = 0.08F;     // of large bodies
 constexpr float kSoftGloss = 0.3F;
 constexpr double kPointReach_m = 0.03;  // stands for that of a told body
 constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
@@ -215,7 +216,8 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   const float share = static_cast<float>(part.body) / static_cast<float>(scene_.bodyCount);
   uniforms.nearer = ghost || part.paint == Paint::shadow ? kDecalNearer : kBodiesNearer * share;
   uniforms.ghostColour = linearOf(moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
-  uniforms.hatch_m = kHatch * static_cast<float>(scene_.reach_m.empty() ? 1.0 : scene_.reach_m[part.body]);
+  uniforms.hatch_m = std::min(
+      kMostHatch_m, kHatch * static_cast<float>(scene_.reach_m.empty() ? 1.0 : scene_.reach_m[part.body]));
   return uniforms;
 }
 
@@ -293,6 +295,11 @@ void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
   program.set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(decal || ghost, decal && !ghost, !decal,
            uniforms.appears_m > kAlways_m);  // shadows overlap each other
+  if (ghost && !part.isRound) {  // of a body with hollows the nearest surface alone: the glass is even
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawTriangles(choice, chosen);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
   drawTriangles(choice, chosen);
 }
 

@@ -1,5 +1,7 @@
 #include "cave/render/glass_drawer.h"
 
+#include <algorithm>
+
 #include <vtk_glew.h>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -19,14 +21,16 @@ void GlassMesh::upload(std::span<const glm::vec3> corners,
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size_bytes()), triangles.data(),
                GL_STREAM_DRAW);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
-  count_ = static_cast<int>(3 * triangles.size());
+  count_ = triangles.size();
 }
 
-void GlassMesh::draw() const {
-  if (count_ == 0) return;
+void GlassMesh::draw(const TriangleRange& triangles) const {
+  if (triangles.first >= count_) return;
+  const std::size_t count = std::min(triangles.count, count_ - triangles.first);
   corners_.bind();
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_);
-  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+  const auto* const first = static_cast<const std::array<std::uint32_t, 3>*>(nullptr) + triangles.first;
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT, first);
 }
 
 GlassDrawer::GlassDrawer() : program_(makeProgram("glass", shaders::glass_vert, shaders::glass_frag)) {}
@@ -48,16 +52,21 @@ void GlassDrawer::draw(std::span<const Piece> pieces, const GlassPlace& place,
     glUniform1i(adds, pass);
     if (pass == 0) {
       glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-      glEnable(GL_CULL_FACE);  // the side that is turned to the eye takes for both
     } else {
       glBlendFunc(GL_ONE, GL_ONE);
-      glDisable(GL_CULL_FACE);
     }
     for (const Piece& piece : pieces) {
       if (pass == 0 && piece.look.taken == 0.0F) continue;
+      if (piece.look.closed) {
+        glEnable(GL_CULL_FACE);
+      } else {
+        glDisable(GL_CULL_FACE);
+      }
+      const float sides = piece.look.closed ? 2.0F : 1.0F;
       glUniform3fv(colour, 1, glm::value_ptr(piece.look.colour));
-      glUniform4f(look, piece.look.taken, piece.look.shine, piece.look.edge, piece.look.ahead);
-      piece.mesh->draw();
+      glUniform4f(look, piece.look.taken, sides * piece.look.shine, sides * piece.look.edge,
+                  piece.look.ahead);
+      piece.mesh->draw(piece.triangles);
     }
   }
   enterRestState();

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include <glm/vec4.hpp>
 
 #include "cave/gl/gl_objects.h"
+#include "engine/sculpture/solid.h"
 
 namespace carom {
 
@@ -25,6 +27,7 @@ struct GlassLook {
   float shine = 0.1F;      ///< share of its colour that it adds, seen straight on
   float edge = 0.6F;       ///< and seen along its surface
   float ahead = 0.3F;      ///< factor of all that for what lies above the present
+  bool closed = false;     ///< it goes round: its far side is drawn with the near one, as bright as that
 };
 
 /// Where the glass stands for one eye.
@@ -39,12 +42,13 @@ class GlassMesh {
  public:
   explicit GlassMesh(const GlProgram& program);
   void upload(std::span<const glm::vec3> corners, std::span<const std::array<std::uint32_t, 3>> triangles);
-  void draw() const;
+  /// Draws some of the triangles, at most those that there are.
+  void draw(const TriangleRange& triangles) const;
 
  private:
   VertexStream<glm::vec3> corners_;
   GlBuffer triangles_;
-  int count_ = 0;
+  std::size_t count_ = 0;
 };
 
 class GlassDrawer {
@@ -57,6 +61,8 @@ class GlassDrawer {
   struct Piece {
     const GlassMesh* mesh = nullptr;
     GlassLook look;
+    /// What is drawn of it.
+    TriangleRange triangles{0, std::numeric_limits<std::size_t>::max()};
   };
   /// Draws all pieces. Call it within a GlStateGuard, with the depth test on.
   void draw(std::span<const Piece> pieces, const GlassPlace& place, const glm::mat4& clipFromDrawn) const;

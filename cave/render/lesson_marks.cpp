@@ -7,6 +7,7 @@
 
 #include "cave/frame/lesson_readings.h"
 #include "cave/gl/view_colours.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -62,7 +63,7 @@ void addStandingPlate(MarkBuffer& batch, const MarkContext& sight, const Draw& d
                       PlateShape shape, const Vec3& foot_m, const glm::vec4& colour, LabelLayout& crowd) {
   constexpr double kStem_m = 0.07;
   StandingPlate plate = standingPlate(sight, text, shape, foot_m + Vec3(0.0, 0.0, kStem_m));
-  plate.scale *= 1.3;
+  plate.scale *= 1.1;
   plate.foot_m.z += crowd.raise_m(plate);
   const std::array<glm::dvec3, 2> stem{draw(foot_m), draw(plate.foot_m)};
   batch.addLine(stem, colour, 0.0014);
@@ -89,25 +90,39 @@ void addSimultaneity(const MarkContext& sight, const SimultaneityLine& line, Lab
   }
 }
 
-void addCounter(const MarkContext& sight, const Resting& draw, const TickCounter& counter, double reach_m,
+void addCounter(const MarkContext& sight, const Resting& draw, const TickCounter& counter, double top_m,
                 LabelLayout& crowd, MarkBuffer& batch) {
   const Event& between = sight.observer.middle.observation;
   const Vec3 centre_m = centreSeen(sight.histories[counter.body], between, sight.switches).event.r_m;
   addStandingPlate(batch, sight, draw, wholeNumber(seenTicks(sight, counter)), PlateShape::box,
-                   centre_m + Vec3(0.0, 0.0, reach_m), glm::vec4(kFlashColour, 1.0F), crowd);
+                   centre_m + Vec3(0.0, 0.0, top_m), glm::vec4(kFlashColour, 1.0F), crowd);
 }
 
-void addGauge(const MarkContext& sight, const Resting& draw, const Gauge& gauge, double reach_m,
+void addGauge(const MarkContext& sight, const Resting& draw, const Gauge& gauge, double top_m,
               LabelLayout& crowd, MarkBuffer& batch) {
   const Motion seen =
       centreSeen(sight.histories[gauge.body], sight.observer.middle.observation, sight.switches);
   const double value =
       gauged(gauge.quantity, seen, {sight.observer, sight.boardFromRoom, sight.lesson.phase, sight.switches});
-  addStandingPlate(batch, sight, draw, hundredthsOf(value), PlateShape::box,
-                   seen.event.r_m + Vec3(0.0, 0.0, reach_m), glm::vec4(kFlashColour, 1.0F), crowd);
+  addStandingPlate(
+      batch, sight, draw, measured(texts::plate::kGauges[static_cast<std::size_t>(gauge.quantity)], value),
+      PlateShape::box, seen.event.r_m + Vec3(0.0, 0.0, top_m), glm::vec4(kFlashColour, 1.0F), crowd);
 }
 
 }  // namespace
+
+void addSeenSpeeds(const MarkContext& sight, std::span<const double> tops_m, LabelLayout& crowd,
+                   MarkBuffer& batch) {
+  constexpr double kAtRest = 5e-3;  // of c: half of the plate's last digit
+  const Resting draw(sight);
+  for (std::size_t body = 1; body <= sight.pucks; ++body) {
+    const Motion seen = centreSeen(sight.histories[body], sight.observer.middle.observation, sight.switches);
+    const double speed = gauged(GaugeQuantity::apparentSpeed, seen,
+                                {sight.observer, sight.boardFromRoom, sight.lesson.phase, sight.switches});
+    if (speed >= kAtRest)
+      addGauge(sight, draw, {body, GaugeQuantity::apparentSpeed}, tops_m[body], crowd, batch);
+  }
+}
 
 std::size_t seenTicks(const MarkContext& sight, const TickCounter& counter) {
   return static_cast<std::size_t>(
@@ -115,16 +130,21 @@ std::size_t seenTicks(const MarkContext& sight, const TickCounter& counter) {
                     [&](const Event& tick) { return seenSince_s(sight, tick) >= 0.0; }));
 }
 
-void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<const double> reach_m,
+void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<const double> tops_m,
                     LabelLayout& crowd, MarkBuffer& batch) {
   if (sight.lesson.phase == LessonPhase::none) return;
   const Resting draw(sight);
   for (const ClothLine& line : plan.lines)
     addStripe(batch, draw, line.from_m, line.to_m, 0.006, glm::vec4(kFlashColour, 1.0F));
+  for (const LessonLabel& label : plan.labels) {
+    if (label.explains && sight.lesson.phase != LessonPhase::explains) continue;
+    addStandingPlate(batch, sight, draw, plateText(label.words), PlateShape::box, label.at_m,
+                     glm::vec4(kFlashColour, 1.0F), crowd);
+  }
   if (sight.lesson.phase == LessonPhase::asks) return;
   for (const TickCounter& counter : plan.counters)
-    addCounter(sight, draw, counter, reach_m[counter.body], crowd, batch);
-  for (const Gauge& gauge : plan.gauges) addGauge(sight, draw, gauge, reach_m[gauge.body], crowd, batch);
+    addCounter(sight, draw, counter, tops_m[counter.body], crowd, batch);
+  for (const Gauge& gauge : plan.gauges) addGauge(sight, draw, gauge, tops_m[gauge.body], crowd, batch);
   for (const Stopwatch& watch : plan.stopwatches) {
     if (!watch.stands_m) continue;
     addStandingPlate(

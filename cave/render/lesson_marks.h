@@ -9,11 +9,15 @@
 
 namespace carom {
 
-/// Adds the lesson's marks: its lines on the cloth always; counters, gauges and the plates of stopwatches
-/// once the question is over; lines of simultaneity while it explains. `reach_m` is, for every body of the
-/// scene, how far it reaches from its centre.
-void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<const double> reach_m,
+/// Adds the lesson's marks: its lines on the cloth and its labels always; counters, gauges and the plates of
+/// stopwatches once the question is over; lines of simultaneity, and labels that explain, while it explains.
+/// `tops_m` is, for every body of the scene, how far it reaches up from its centre.
+void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<const double> tops_m,
                     LabelLayout& crowd, MarkBuffer& batch);
+
+/// Adds a plate above each puck that is seen to move, with its apparent speed over c.
+void addSeenSpeeds(const MarkContext& sight, std::span<const double> tops_m, LabelLayout& crowd,
+                   MarkBuffer& batch);
 
 /// Returns how many of these events the eye has seen.
 std::size_t seenTicks(const MarkContext& sight, const TickCounter& counter);

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include <fmt/format.h>
 #include <vtk_glew.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cave/frame/clock_time.h"
 #include "cave/gl/gl_program.h"
-#include "shaders/digits.h"
+#include "cave/gl/letter_atlas.h"
 #include "shaders/mark_frag.h"
 #include "shaders/mark_vert.h"
 
@@ -21,58 +22,74 @@ namespace {
 // The styles of shaders/mark_frag.glsl, and the encoding of a plate.
 constexpr float kFlat = 0.0F;
 constexpr float kGlow = -1.0F;
-constexpr int kBehindPoint = 16, kShape = 256;
-constexpr double kPointWide = 0.35;                          // in digit places
+constexpr float kDisc = -2.0F;
+constexpr int kShape = 16;
+const std::string kCells =
+    fmt::format("const vec2 kCells = vec2({}.0, {}.0);\n", kLetterColumns, kLetterRows);
 constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, for each shape
+constexpr std::size_t kLettersInAFloat = 3;                  // of 8 bits: as many as it holds exactly
 
-constexpr int kPlaces = 12, kPlacesInAFloat = 6;
-constexpr std::uint64_t kMinus = 10, kDegrees = 12, kMetres = 13;
-
-/// Returns a number in tenths, followed by the sign of a unit.
-PlateText measured(double value, std::uint64_t unit) {
-  PlateText text = wholeNumber(static_cast<std::uint64_t>(std::clamp(std::round(10.0 * value), 0.0, 9999.0)));
-  text.places = std::max(text.places, 2) + 1;
-  text.digits = text.digits << 4 | unit;
-  text.behind = 2;
-  return text;
+/// Writes a value in words; leaves out what is too long.
+template <typename Value>
+PlateText written(fmt::format_string<Value> words, Value value) {
+  std::array<char, 48> text{};
+  const auto end = fmt::format_to_n(text.data(), text.size(), words, std::forward<Value>(value));
+  return plateText({text.data(), std::min(end.size, text.size())});
 }
 
-/// Returns a whole number with its decimal point before the last `behind` digits.
-PlateText decimal(double number, int behind) {
-  PlateText text = wholeNumber(static_cast<std::uint64_t>(std::abs(number)));
-  text.places = std::max(text.places, behind + 1);
-  text.behind = behind;
-  if (number < 0.0) {
-    text.digits |= kMinus << (4 * text.places);
-    ++text.places;
-  }
-  return text;
+glm::vec4 packed(const PlateText& text) {
+  glm::vec4 in(0.0F);
+  for (std::size_t i = 0; i < text.letters.size(); ++i)
+    in[static_cast<int>(i / kLettersInAFloat)] =
+        256.0F * in[static_cast<int>(i / kLettersInAFloat)] + text.letters[i];
+  return in;
+}
+
+/// Returns a copy of the letters on the graphics card, smaller ones for plates far away.
+void uploadLetters(const GlTexture& texture) {
+  const LetterAtlas& atlas = letterAtlas();
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, atlas.size_px.x, atlas.size_px.y, 0, GL_RED, GL_UNSIGNED_BYTE,
+               atlas.ink.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 }  // namespace
 
-PlateText wholeNumber(std::uint64_t number) {
+PlateText plateText(std::string_view words) {
   PlateText text;
-  do {
-    text.digits |= number % 10 << (4 * text.places++);
-    number /= 10;
-  } while (number > 0 && text.places < kPlaces);
+  while (!words.empty() && static_cast<std::size_t>(text.places) < text.letters.size())
+    text.letters[static_cast<std::size_t>(text.places++)] = takeLetter(words);
   return text;
 }
 
+PlateText wholeNumber(std::uint64_t number) {
+  return written<std::uint64_t>("{}", number % 1'000'000'000'000);
+}
+
 PlateText tenthsOf(double time_s) {
-  return decimal(std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s), 1);
+  const double tenths = std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s);
+  return written<double>("{:.1f}", tenths / 10.0);
 }
 
 PlateText hundredthsOf(double time_s) {
-  return decimal(std::clamp(std::round(100.0 * time_s), -99999.0, 99999.0), 2);
+  const double hundredths = std::clamp(std::round(100.0 * time_s), -99999.0, 99999.0);
+  return written<double>("{:.2f}", hundredths / 100.0 + 0.0);  // a zero without a sign
 }
 
-PlateText degreesOf(double angle_deg) { return measured(angle_deg, kDegrees); }
-PlateText metresOf(double length_m) { return measured(length_m, kMetres); }
+PlateText measured(const char* words, double value) {
+  return written<double>(fmt::runtime(words), std::clamp(value, 0.0, 9999.0));
+}
 
 double placesAcross(const PlateText& text, PlateShape shape) {
-  return text.places + (text.behind > 0 ? kPointWide : 0.0) + 2.0 * kMargins[static_cast<std::size_t>(shape)];
+  return text.places + 2.0 * kMargins[static_cast<std::size_t>(shape)];
 }
 
 void MarkBuffer::addStrip(std::span<const glm::dvec3> left_m, std::span<const glm::dvec3> right_m,
@@ -80,15 +97,19 @@ void MarkBuffer::addStrip(std::span<const glm::dvec3> left_m, std::span<const gl
   for (std::size_t i = 0; i + 1 < left_m.size(); ++i) {
     for (const glm::dvec3& place :
          {left_m[i], left_m[i + 1], right_m[i], right_m[i], left_m[i + 1], right_m[i + 1]})
-      corners_.push_back({glm::vec3(place), colour, {}, {kFlat, 0.0F, 0.0F}, {}});
+      corners_.push_back({glm::vec3(place), colour, {}, kFlat, {}, {}});
   }
 }
 
 void MarkBuffer::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& colour, double halfWidth_rad) {
   // The direction across both the line of sight and the line. Every part of the line has some length, so
   // neither vanishes for long.
+  const std::size_t last = drawn_m.size() - 1;
+  const bool isClosed = last > 1 && drawn_m.front() == drawn_m.back();
   const auto aside = [&](std::size_t i) {
-    const glm::dvec3 way = drawn_m[std::min(i + 1, drawn_m.size() - 1)] - drawn_m[i > 0 ? i - 1 : 0];
+    const bool isSeam = isClosed && (i == 0 || i == last);
+    const glm::dvec3 way =
+        isSeam ? drawn_m[1] - drawn_m[last - 1] : drawn_m[std::min(i + 1, last)] - drawn_m[i > 0 ? i - 1 : 0];
     const glm::dvec3 across = glm::cross(way, drawn_m[i]);
     const double length = glm::length(across);
     return length > 0.0 ? across * (halfWidth_rad * glm::length(drawn_m[i]) / length) : glm::dvec3(0.0);
@@ -102,23 +123,37 @@ void MarkBuffer::addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& c
 
 void MarkBuffer::addPlate(std::span<const glm::dvec3> lower_m, std::span<const glm::dvec3> upper_m,
                           const PlateText& text, PlateShape shape, const glm::vec4& colour) {
-  constexpr int kBits = 4 * kPlacesInAFloat;  // as many as a float holds exactly
-  const glm::vec3 what(text.places + kBehindPoint * text.behind + kShape * static_cast<int>(shape),
-                       text.digits >> kBits, text.digits & ((1U << kBits) - 1U));
+  const auto what = static_cast<float>(text.places + kShape * static_cast<int>(shape));
+  const glm::vec4 letters = packed(text);
   const glm::dvec3 middle_m = 0.5 * (lower_m.front() + upper_m.back());
   const glm::vec4 plate(middle_m, 0.5 * glm::distance(lower_m.front(), upper_m.back()));
   const float step = static_cast<float>(placesAcross(text, shape)) / static_cast<float>(lower_m.size() - 1);
+  const int first = static_cast<int>(corners_.size()), count = static_cast<int>(6 * (lower_m.size() - 1));
+  const bool goesOn = !plates_.empty() && plates_.back().first + plates_.back().count == first;
+  if (goesOn) {
+    plates_.back().count += count;
+  } else {
+    plates_.push_back({first, count});
+  }
   for (std::size_t i = 0; i + 1 < lower_m.size(); ++i) {
     const float from = step * static_cast<float>(i), to = step * static_cast<float>(i + 1);
-    const MarkCorner a{glm::vec3(lower_m[i]), colour, {from, 0.0F}, what, plate};
-    const MarkCorner b{glm::vec3(lower_m[i + 1]), colour, {to, 0.0F}, what, plate};
-    const MarkCorner c{glm::vec3(upper_m[i]), colour, {from, 1.0F}, what, plate};
-    const MarkCorner d{glm::vec3(upper_m[i + 1]), colour, {to, 1.0F}, what, plate};
+    const MarkCorner a{glm::vec3(lower_m[i]), colour, {from, 0.0F}, what, letters, plate};
+    const MarkCorner b{glm::vec3(lower_m[i + 1]), colour, {to, 0.0F}, what, letters, plate};
+    const MarkCorner c{glm::vec3(upper_m[i]), colour, {from, 1.0F}, what, letters, plate};
+    const MarkCorner d{glm::vec3(upper_m[i + 1]), colour, {to, 1.0F}, what, letters, plate};
     for (const MarkCorner& corner : {a, b, c, c, b, d}) corners_.push_back(corner);
   }
 }
 
 void MarkBuffer::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour) {
+  addRound(drawn_m, radius_m, colour, kGlow);
+}
+
+void MarkBuffer::addDisc(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour) {
+  addRound(drawn_m, radius_m, colour, kDisc);
+}
+
+void MarkBuffer::addRound(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour, float style) {
   const double distance_m = glm::length(drawn_m);
   if (!(distance_m > 0.0)) return;
   const glm::dvec3 sight = drawn_m / distance_m;
@@ -126,8 +161,7 @@ void MarkBuffer::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::
   const glm::dvec3 right = radius_m * glm::normalize(glm::cross(sight, other));
   const glm::dvec3 up = glm::cross(right, sight);
   const auto corner = [&](double u, double v) {
-    return MarkCorner{
-        glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), {kGlow, 0.0F, 0.0F}, {}};
+    return MarkCorner{glm::vec3(drawn_m + u * right + v * up), colour, glm::vec2(u, v), style, {}, {}};
   };
   for (const MarkCorner& c :
        {corner(-1, -1), corner(1, -1), corner(-1, 1), corner(-1, 1), corner(1, -1), corner(1, 1)})
@@ -135,32 +169,54 @@ void MarkBuffer::addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::
 }
 
 MarkDrawer::MarkDrawer()
-    : program_(makeProgram("mark", shaders::mark_vert,
-                           std::string("#version 150\n") + shaders::digits + shaders::mark_frag)),
+    : program_(makeProgram("mark", shaders::mark_vert, "#version 150\n" + kCells + shaders::mark_frag)),
       stream_(program_, {{"drawn_m", 3, offsetof(MarkCorner, drawn_m)},
                          {"ink", 4, offsetof(MarkCorner, colour)},
                          {"on", 2, offsetof(MarkCorner, on)},
-                         {"what", 3, offsetof(MarkCorner, what)},
+                         {"what", 1, offsetof(MarkCorner, style)},
+                         {"words", 4, offsetof(MarkCorner, text)},
                          {"plate", 4, offsetof(MarkCorner, plate)}}),
       clipAt_(glGetUniformLocation(program_, "clipFromDrawn")),
-      cutAt_(glGetUniformLocation(program_, "cutAt")),
-      platesAt_(glGetUniformLocation(program_, "plates")) {}
+      cutAt_(glGetUniformLocation(program_, "cutAt")) {
+  uploadLetters(letters_);
+}
+
+void MarkDrawer::Runs::add(int first, int end) {
+  if (end == first) return;
+  firsts.push_back(first);
+  counts.push_back(end - first);
+}
+
+void MarkDrawer::Runs::draw() const {
+  glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<int>(firsts.size()));
+}
 
 void MarkDrawer::upload(const MarkBuffer& batch) {
-  count_ = static_cast<int>(batch.corners().size());
-  if (count_ > 0) stream_.upload(batch.corners());
+  for (Runs* runs : {&flat_, &plates_}) {
+    runs->firsts.clear();
+    runs->counts.clear();
+  }
+  if (batch.corners().empty()) return;
+  stream_.upload(batch.corners());
+  int end = 0;
+  for (const auto& [first, count] : batch.plates()) {
+    flat_.add(end, first);
+    end = first + count;
+    plates_.add(first, end);
+  }
+  flat_.add(end, static_cast<int>(batch.corners().size()));
 }
 
 void MarkDrawer::draw(const glm::mat4& clipFromDrawn, float cutAt) const {
-  if (count_ == 0) return;
+  if (flat_.firsts.empty() && plates_.firsts.empty()) return;
   glUseProgram(program_);
   stream_.bind();
   glUniformMatrix4fv(clipAt_, 1, GL_FALSE, glm::value_ptr(clipFromDrawn));
   glUniform1f(cutAt_, cutAt);
-  for (const int plates : {0, 1}) {
-    glUniform1i(platesAt_, plates);
-    glDrawArrays(GL_TRIANGLES, 0, count_);
-  }
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, letters_);
+  flat_.draw();
+  plates_.draw();
 }
 
 }  // namespace carom

@@ -1,7 +1,8 @@
 #pragma once
-// Small flat marks drawn among the bodies: lines, plates with digits, glows. They are computed anew for each
+// Small flat marks drawn among the bodies: lines, plates with letters, glows. They are computed anew for each
 // eye, in double, at the places where the eye sees them, and drawn over all walls of that eye.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -20,57 +21,71 @@ namespace carom {
 struct MarkCorner {
   glm::vec3 drawn_m{0.0F};  ///< from the eye, in the frame in which walls are drawn
   glm::vec4 colour{1.0F};
-  glm::vec2 on{0.0F};  ///< on a plate: places from its left border, 0 … 1 over its height; on a glow −1 … 1
-  glm::vec3 what{0.0F};   ///< style (shaders/mark_frag.glsl) and a plate's digits, the last six in z
+  glm::vec2 on{0.0F};  ///< on a plate: places from its left border, 0 … 1 over its height; else −1 … 1
+  float style = 0.0F;  ///< shaders/mark_frag.glsl
+  glm::vec4 text{0.0F};   ///< a plate's letters, three in each, the first highest
   glm::vec4 plate{0.0F};  ///< a plate's middle, from the eye, and half its diagonal (m)
 };
 
-/// The digits of a plate: up to twelve places.
+/// What a plate says: up to twelve letters (cave/gl/letter_atlas.h).
 struct PlateText {
-  /// 4 bits per place, the last place lowest: 0 to 9, 10 a minus sign, 11 blank, 12 a degree sign, 13 an m.
-  std::uint64_t digits = 0;
+  std::array<std::uint8_t, 12> letters{};
   int places = 0;
-  int behind = 0;  ///< places behind the decimal point, the sign of a unit among them; 0: there is no point
+  bool operator==(const PlateText&) const = default;
 };
+PlateText plateText(std::string_view words);  ///< UTF-8; what is too long is cut off
 PlateText wholeNumber(std::uint64_t number);  ///< the last twelve digits of `number`
 /// Returns a time as all clocks show it: rounded down to tenths, from minus to plus six years.
 PlateText tenthsOf(double time_s);
 PlateText hundredthsOf(double time_s);  ///< rounded to hundredths; minus to plus 999.99
-PlateText degreesOf(double angle_deg);  ///< rounded to tenths; 0 to 999.9
-PlateText metresOf(double length_m);    ///< rounded to tenths; 0 to 999.9
+/// Returns a number in words, such as "γ {:.2f}", from 0 to 9999.
+PlateText measured(const char* words, double value);
 
 /// The look of a plate, by which a person tells from afar what it shows.
 enum class PlateShape {
-  box,    ///< a number: digits in its colour on black
+  box,    ///< letters in its colour on black
   clock,  ///< round corners, a thick border in its colour
-  flag,   ///< black digits on its colour
+  flag,   ///< black letters on its colour
 };
-/// Returns the width of a plate, in places of a digit.
+/// Returns the width of a plate, in places of a letter.
 double placesAcross(const PlateText& text, PlateShape shape);
 
 class MarkBuffer {
  public:
-  void clear() { corners_.clear(); }
+  void clear() {
+    corners_.clear();
+    plates_.clear();
+  }
   std::span<const MarkCorner> corners() const { return corners_; }
+  /// Corners that follow one another.
+  struct Run {
+    int first = 0, count = 0;
+  };
+  /// Returns which of them are of plates, in their order.
+  std::span<const Run> plates() const { return plates_; }
 
   /// Adds a line through these points, given from the eye. It looks equally wide everywhere: `halfWidth_rad`
-  /// is half its width as an angle.
+  /// is half its width as an angle. Where its last point is its first, it is closed without a seam.
   void addLine(std::span<const glm::dvec3> drawn_m, const glm::vec4& colour, double halfWidth_rad);
 
   /// Adds a strip between two borders, given point by point.
   void addStrip(std::span<const glm::dvec3> left_m, std::span<const glm::dvec3> right_m,
                 const glm::vec4& colour);
 
-  /// Adds a plate with digits. Its lower and upper borders are rows of points from the left; its width is its
+  /// Adds a plate. Its lower and upper borders are rows of points from the left; its width is its
   /// height times placesAcross.
   void addPlate(std::span<const glm::dvec3> lower_m, std::span<const glm::dvec3> upper_m,
                 const PlateText& text, PlateShape shape, const glm::vec4& colour);
 
   /// Adds a soft round glow around a point.
   void addGlow(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour);
+  /// Adds a round disc that faces the eye.
+  void addDisc(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour);
 
  private:
+  void addRound(const glm::dvec3& drawn_m, double radius_m, const glm::vec4& colour, float style);
   std::vector<MarkCorner> corners_;
+  std::vector<Run> plates_;
 };
 
 /// Draws mark buffers. Create and destroy it with the drawing context current.
@@ -86,9 +101,14 @@ class MarkDrawer {
 
  private:
   GlProgram program_;
+  GlTexture letters_;
   VertexStream<MarkCorner> stream_;
-  int clipAt_, cutAt_, platesAt_;  // places of uniforms
-  int count_ = 0;
+  int clipAt_, cutAt_;  // places of uniforms
+  struct Runs {
+    std::vector<int> firsts, counts;
+    void add(int first, int end);
+    void draw() const;
+  } flat_, plates_;
 };
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl/view_colours.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -96,7 +97,8 @@ void addRuler(const MarkContext& sight, const Ruler& ruler, LabelLayout& crowd, 
     addFlat(batch, draw, at(0.1 * i, 0.0), at(0.1 * (i + 1), 0.0), kHalfBar_m * ruler.aside,
             glm::vec4(glm::vec3(grey), 1.0F));
   }
-  StandingPlate plate = standingPlate(sight, metresOf(kRuler_m), PlateShape::box, at(kRuler_m + 0.08, 0.0));
+  StandingPlate plate = standingPlate(sight, measured(texts::plate::kLength, kRuler_m), PlateShape::box,
+                                      at(kRuler_m + 0.08, 0.0));
   plate.foot_m.z += crowd.raise_m(plate);
   addPlate(batch, sight, plate, glm::vec4(0.93F, 0.93F, 0.93F, 1.0F),
            [&](const Vec3& offset_m) { return draw(plate.foot_m + offset_m); });
@@ -167,8 +169,8 @@ void addParting(const MarkContext& sight, const Resting& draw, const GameEvent& 
   }
   const double middle_rad = ways_rad[0] + 0.5 * apart_rad;
   const Vec3 foot_m = middle_m + (kArc_m + 0.03) * Vec3(std::cos(middle_rad), std::sin(middle_rad), 0.0);
-  StandingPlate plate =
-      standingPlate(sight, degreesOf(std::abs(apart_rad) * 180.0 / kPi), PlateShape::box, foot_m);
+  StandingPlate plate = standingPlate(
+      sight, measured(texts::plate::kAngle, std::abs(apart_rad) * 180.0 / kPi), PlateShape::box, foot_m);
   plate.foot_m.z += crowd.raise_m(plate);
   const std::array<glm::dvec3, 2> pin{draw(foot_m), draw(plate.foot_m)};
   batch.addLine(pin, faint, 0.0008);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <vtk_glew.h>
 
@@ -16,7 +17,12 @@ namespace {
 // Times on the graphics card are counted from a multiple of this, so that single precision is good to 0.03 mm
 // in the room.
 constexpr double kBase_s = 1024.0;
-constexpr int kCells = 12;  // of the light cone, across the rectangle
+constexpr int kCells = 12;          // of the light cone, across the rectangle
+constexpr double kFine_m = 2.5e-4;  // by which tubes may be off in the room
+
+/// Returns the same for the board, as a power of two, so that tubes are seldom made anew while they are
+/// scaled.
+double fineOf(const SculpturePlace& place) { return std::exp2(std::floor(std::log2(kFine_m / place.scale))); }
 
 SculptureMap mapOf(const FrameRecord& record) {
   const ObserverView& first = record.viewers.front().observer;
@@ -29,6 +35,7 @@ GlassLook tubeLook(const glm::vec3& colour) {
   look.taken = 0.70F;
   look.shine = 0.10F;
   look.edge = 0.42F;
+  look.closed = true;
   return look;
 }
 
@@ -62,18 +69,35 @@ void RoomSculpture::follow(const FrameRecord& record, const World& world) {
 
 void RoomSculpture::followTubes(const FrameRecord& record, const World& world) {
   const ObserverView& first = record.viewers.front().observer;
-  const double now_s = first.middle.observation.t_s;
-  const double past_s = sculptureReach_s(record.sculpture.place, first.headFromBoard.lightSpeed_m_s());
-  base_s_ = kBase_s * std::floor(now_s / kBase_s);
+  const Event& now = first.middle.observation;
+  const SculpturePlace& place = record.sculpture.place;
+  const double c_m_s = first.headFromBoard.lightSpeed_m_s(), fine_m = fineOf(place);
+  // Pucks between cushions are never further away than this; it is rounded up, so that it seldom changes.
+  const double slice_m = c_m_s * GrowingTube::kSlice_s,
+               away_m = glm::length(glm::dvec2(now.r_m)) + glm::length(shape_.game().half_m);
+  const double within_s = reachWithin_s(place, c_m_s, slice_m * std::ceil(away_m / slice_m)),
+               past_s = sculptureReach_s(place, c_m_s);
+  base_s_ = kBase_s * std::floor(now.t_s / kBase_s);
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
     const SculptedBody& body = shape_.game().bodies[i];
     Tube& tube = tubes_[i];
-    if (tube.shape.follow(body.puck, world.histories[body.body], past_s, now_s, base_s_)) {
-      tube.mesh.upload(tube.shape.points(), tube.shape.triangles());
-      tube.reach_m = 0.0;
-      for (const glm::vec3& point : tube.shape.points())
-        tube.reach_m = std::max<double>({tube.reach_m, std::abs(point.x), std::abs(point.y)});
-    }
+    const bool isHeld = shape_.game().hasCushions && body.body <= record.pucks;
+    if (!tube.shape.follow(body.puck, world.histories[body.body], isHeld ? within_s : past_s, now.t_s,
+                           base_s_, fine_m))
+      continue;
+    tube.mesh.upload(tube.shape.points(), tube.shape.triangles());
+    tube.reach_m = 0.0;
+    for (const glm::vec3& point : tube.shape.points())
+      tube.reach_m = std::max<double>({tube.reach_m, std::abs(point.x), std::abs(point.y)});
+  }
+}
+
+/// Leaves out what of the tubes is shown below the foot or above the top.
+void RoomSculpture::chooseTriangles(const SculptureMap& map) {
+  for (std::size_t i = 0; i < tubes_.size(); ++i) {
+    const double away_m =
+        glm::length(glm::dvec2(map.present().r_m)) + std::numbers::sqrt2 * tubes_[i].reach_m;
+    pieces_[i].triangles = tubes_[i].shape.trianglesIn(map.shownWithin(away_m));
   }
 }
 
@@ -191,6 +215,7 @@ void RoomSculpture::look(const FrameRecord& record, const World& world, const Ow
   const SculptureMap map = mapOf(record);
   place_ = placeFrom(map, viewpoint_m);
   bound(map, viewpoint_m);
+  chooseTriangles(map);
   marks_.batch.clear();
   const SculptureSight sight{map, shape_, lines, record, world.events, viewpoint_m, viewer, marks_.memory};
   addSculpture(sight, marks_.batch);

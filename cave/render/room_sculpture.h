@@ -50,6 +50,7 @@ class RoomSculpture {
     double reach_m = 0.0;  ///< the farthest of its places from the board's middle, along x or y
   };
   void followTubes(const FrameRecord& record, const World& world);
+  void chooseTriangles(const SculptureMap& map);
   void makeSurfaces(const FrameRecord& record);
   GlassPlace placeFrom(const SculptureMap& map, const Vec3& viewpoint_m) const;
   void bound(const SculptureMap& map, const Vec3& viewpoint_m);

@@ -70,15 +70,7 @@ class Pen {
     const Vec3 model_m = sight_.map.model_m(event);
     if (!isWithin(model_m)) return;
     const glm::dvec3 middle = drawn(model_m);
-    const glm::dvec3 right = rightOf(middle), up = glm::normalize(glm::cross(right, middle));
-    constexpr std::size_t kCorners = 16;
-    std::array<glm::dvec3, kCorners + 1> inner, outer;
-    for (std::size_t i = 0; i <= kCorners; ++i) {
-      const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kCorners;
-      inner[i] = middle;
-      outer[i] = middle + radius_m * (std::cos(angle) * right + std::sin(angle) * up);
-    }
-    batch_.addStrip(inner, outer, colour);
+    batch_.addDisc(middle, radius_m, colour);
     if (text) plate(middle + up_ * (1.4 * radius_m), *text, shape, colour);
   }
   /// Adds an upright plate that faces the eye, its lower border's middle at a place.

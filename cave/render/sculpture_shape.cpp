@@ -33,16 +33,20 @@ SculptureShape::SculptureShape(const SculptedGame& game) : game_(game) {
   }
 }
 
-void SculptureShape::cut(std::size_t viewer, const ObserverView& observer, const World& world) {
+void SculptureShape::cut(std::size_t viewer, const FrameRecord& record, const World& world) {
+  const ObserverView& observer = record.viewers[viewer].observer;
   const Event& eye = observer.middle.observation;
   for (std::size_t body = 0; body < game_.bodies.size(); ++body) {
+    const std::size_t every = everyFor(game_.bodies[body].puck, kFine_m / record.sculpture.place.scale);
+    rim_.clear();
+    for (std::size_t i = 0; i < rims_[body].size(); i += every) rim_.push_back(rims_[body][i]);
     for (const ViewTime moment : {ViewTime::seen, ViewTime::myNow, ViewTime::boardNow}) {
       if (moment == ViewTime::boardNow && viewer > 0) continue;
       if (cutCount_ == cuts_.size()) cuts_.emplace_back();
       TubeCut& made = cuts_[cutCount_++];
       made.body = body, made.viewer = viewer, made.moment = moment;
-      cutRim(rims_[body], world.histories[game_.bodies[body].body], eye, observer.headFromBoard, moment,
-             view_, made.events);
+      cutRim(rim_, world.histories[game_.bodies[body].body], eye, observer.headFromBoard, moment, view_,
+             made.events);
     }
   }
 }
@@ -80,7 +84,7 @@ void SculptureShape::follow(const FrameRecord& record, const World& world) {
   cutCount_ = 0;
   spread(record);
   for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
-    cut(viewer, record.viewers[viewer].observer, world);
+    cut(viewer, record, world);
   }
 }
 

@@ -40,6 +40,9 @@ class OwnLines {
 
 class SculptureShape {
  public:
+  /// By how much the chords of a disc's cut may be off in the room, at rest.
+  static constexpr double kFine_m = 4e-5;
+
   explicit SculptureShape(const SculptedGame& game);
 
   /// Takes a frame, once.
@@ -52,11 +55,12 @@ class SculptureShape {
   const glm::dvec2& high_m() const { return high_m_; }
 
  private:
-  void cut(std::size_t viewer, const ObserverView& observer, const World& world);
+  void cut(std::size_t viewer, const FrameRecord& record, const World& world);
   void spread(const FrameRecord& record);
 
   SculptedGame game_;
   std::vector<Rim> rims_;
+  Rim rim_;  // what of one is cut
   BodyView view_;
   std::vector<TubeCut> cuts_;  // memory that is used again
   std::size_t cutCount_ = 0;

@@ -68,16 +68,16 @@ glm::vec3 flashColour(const MarkContext& sight, std::span<const glm::vec3> colou
   return kFlashColour;
 }
 
-/// Adds a ring around the place and, on a pin, a flag with the number. The event has been seen for `age_s`.
+/// Adds a ring around the place and, on a pin, a flag with the text. The event has been seen for `age_s`.
 void addMarker(MarkBuffer& batch, const MarkContext& sight, const Resting& draw, const GameEvent& event,
-               double age_s, float shown, const glm::vec3& flashing, LabelLayout& crowd) {
+               const PlateText& text, double age_s, float shown, const glm::vec3& flashing,
+               LabelLayout& crowd) {
   const bool flash = event.kind == EventKind::flash;
   const glm::vec4 colour(flash ? flashing : kEventColour, shown);
   const Vec3& at_m = event.at.r_m;
   addClothRing(batch, draw, {at_m.x, at_m.y, kOnCloth_m}, 0.018, 0.026, colour);
   constexpr double kPin_m = 0.10;
-  StandingPlate flag =
-      standingPlate(sight, wholeNumber(event.number), PlateShape::flag, at_m + Vec3(0.0, 0.0, kPin_m));
+  StandingPlate flag = standingPlate(sight, text, PlateShape::flag, at_m + Vec3(0.0, 0.0, kPin_m));
   flag.scale *= 0.8;
   flag.foot_m.z += crowd.raise_m(flag);
   const std::array<glm::dvec3, 2> pin{draw(at_m), draw(flag.foot_m)};
@@ -114,8 +114,8 @@ class Latest {
 
 }  // namespace
 
-void addEvents(const MarkContext& sight, std::span<const glm::vec3> colours, LabelLayout& crowd,
-               MarkBuffer& batch) {
+void addEvents(const MarkContext& sight, std::span<const glm::vec3> colours,
+               std::span<const PlateText> flashTexts, LabelLayout& crowd, MarkBuffer& batch) {
   const Resting draw(sight);
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
   Latest latest;
@@ -134,7 +134,10 @@ void addEvents(const MarkContext& sight, std::span<const glm::vec3> colours, Lab
     const double byRank = std::min(1.0, 1.4 * (1.0 - rank++ / static_cast<double>(kMostMarkers)));
     const glm::vec3 flashing =
         event->kind == EventKind::flash ? flashColour(sight, colours, event->at) : kFlashColour;
-    addMarker(batch, sight, draw, *event, age_s, static_cast<float>(byAge * byRank), flashing, crowd);
+    const bool isNamed = event->kind == EventKind::flash && event->which < flashTexts.size() &&
+                         flashTexts[event->which].places > 0;
+    const PlateText text = isNamed ? flashTexts[event->which] : wholeNumber(event->number);
+    addMarker(batch, sight, draw, *event, text, age_s, static_cast<float>(byAge * byRank), flashing, crowd);
   }
 }
 
@@ -277,6 +280,9 @@ SpacetimeMarks::SpacetimeMarks(const Scene& scene)
       lesson_(scene.lesson),
       firstPerson_(scene.firstPerson) {
   reach_m_.resize(scene.bodyCount);
+  constexpr std::size_t kShortName = 2;
+  for (const std::string& name : scene.flashes)
+    flashTexts_.push_back(name.size() <= kShortName ? plateText(name) : PlateText{});
   for (const ScenePart& part : scene.parts) {
     if (part.paint == Paint::shadow) continue;
     colours_[part.body] = part.colour;
@@ -299,13 +305,14 @@ void SpacetimeMarks::look(const MarkContext& sight) {
   if (sight.views.ruler) addRuler(sight, ruler_, crowd, batch_);
   if (sight.views.clocks) addPuckClocks(sight, {colours_, reach_m_, rims_m_}, crowd, batch_);
   addPeopleClocks(sight, firstPerson_, crowd, batch_);
-  if (sight.views.events) addEvents(sight, colours_, crowd, batch_);
+  if (sight.views.events) addEvents(sight, colours_, flashTexts_, crowd, batch_);
   if (sight.views.news) addNews(sight, colours_, batch_);
   addStrokes(sight, batch_);
+  if (sight.views.speeds) addSeenSpeeds(sight, tops_m_, crowd, batch_);
   if (sight.views.angles) addAngles(sight, crowd, batch_);
   addBeacons(sight, colours_, tops_m_, batch_);
   addPulses(sight, pulses_, batch_);
-  addLessonMarks(sight, lesson_, reach_m_, crowd, batch_);
+  addLessonMarks(sight, lesson_, tops_m_, crowd, batch_);
   marks_.upload(batch_);
 }
 

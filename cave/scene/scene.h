@@ -78,6 +78,7 @@ struct Scene {
   SculptedGame sculpted;
   std::vector<LightPath> pulses;
   Ruler ruler;
+  std::vector<std::string> flashes;  ///< the names of the game's flashes, in their order
   LessonPlan lesson;
 };
 

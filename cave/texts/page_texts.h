@@ -19,7 +19,7 @@ inline constexpr std::array<PageText, 3> kPage{
      {"still", "What was seen, halfway through"}}};
 
 /// For its script.
-inline constexpr std::array<PageText, 46> kScript{{
+inline constexpr std::array<PageText, 48> kScript{{
     {"cut", "This page is not whole: it was cut off on its way. Please fetch it again."},
     {"noWebgl",
      "This browser cannot draw the visit: it lacks WebGL 2. The picture shows one moment of it. Another "
@@ -71,6 +71,16 @@ inline constexpr std::array<PageText, 46> kScript{{
     {"open", "Choices and events"},
     {"told", "The visitor was told: {}"},
     {"nothing", "This page has no such picture."},
+    {"away", "The connection to the room is gone. Trying again …"},
+    {"liveHeld", "Here it is later than for those in the room: this has not happened to them yet."},
 }};
+
+/// On the walls, and for phones that ask for what is not there.
+inline constexpr const char *kTakeHome = "Take your game home:", *kForAnHour = "For an hour from now";
+inline constexpr const char* kNoSuchCode = "There is no page of this code. Look at the wall again, please.";
+inline constexpr const char* kExpired = "The hour of this page is over: it is no longer here.";
+inline constexpr const char* kSilence = "Too many codes that do not exist. Wait a minute, please.";
+inline constexpr const char* kNotYet = "The game's page is being made. In a few seconds, please.";
+inline constexpr const char* kFollow = "Follow the game by your own eyes";
 
 }  // namespace carom::texts::page

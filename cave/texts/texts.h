@@ -72,7 +72,8 @@ inline constexpr Text kRuler = "ruler: 1 m, and light travelling along it";
 inline constexpr Text kAngles = "angles between the outgoing paths";
 inline constexpr Text kStrain = "colours: soft matter pressed (blue) or stretched (red)";
 inline constexpr Text kHeat = "colours: the heat of soft matter, dark to yellow";
-inline constexpr Text kNews = "rings: news of a hit, at the speed of light, in the pucks' colours";
+inline constexpr Text kSpeeds = "plates: the speed that you see";
+inline constexpr Text kNews = "rings: news of a hit, at light speed";
 inline constexpr Text kSpacetime =
     "glass: the game with time upwards; white line: what you see, blue: now on the board, pink: your now";
 inline constexpr Text kFrozen = "frozen view: walk around it";
@@ -133,6 +134,7 @@ inline constexpr Text kOneOrder = "Light can connect them: {} is first for every
 inline constexpr Text kNoOrder = "No light connects them. First is {} for the table, {} for you";
 inline constexpr Text kOrderOf = ", {} for {}", kNeitherFirst = "neither";
 inline constexpr Text kNotSculpted = "Spacetime shows the {} pucks nearest to the middle; {} are left out.";
+inline constexpr Text kStarting = "Starting …";
 inline constexpr Text kNoConsole = "There is no console. carom cave --console opens one.";
 inline constexpr Text kReadOnly = "A recording cannot be changed: strokes and drive need a live game";
 inline constexpr Text kTurnedOn = "{}: on", kTurnedOff = "{}: off";
@@ -184,6 +186,13 @@ namespace ending {
 inline constexpr Text kAgain = "Press Escape again to end.";
 inline constexpr Text kEnd = "End   Escape", kGoOn = "Go on";
 }  // namespace ending
+
+// Plates that stand in the scene, of at most twelve letters; what a font of plates has: ASCII and °βγτΔ²×±≈−.
+namespace plate {
+inline constexpr Text kLength = "{:.1f} m", kAngle = "{:.1f}°";
+// Of a body, in the order of GaugeQuantity.
+inline constexpr std::array<Text, 4> kGauges{"speed {:.2f} c", "looks {:.2f} c", "γ {:.2f}", "length {:.2f}"};
+}  // namespace plate
 
 // The scale beside a drawn cue: marks of speed, and the stroke's speed and energy. The wall draws digits,
 // '.', ' ', '=', 'c', 'm', 'N' and '^', which is a raised 2.
@@ -317,6 +326,7 @@ inline constexpr Text kRuler = "ruler", kAngles = "angles";
 inline constexpr Text kStrain = "strain of soft pucks", kHeat = "heat of soft pucks";
 inline constexpr Text kNews = "rings of news at each hit";
 inline constexpr Text kSpacetime = "spacetime as a thing in the room";
+inline constexpr Text kSpeeds = "how fast each puck looks";
 inline constexpr Text kSplit = "Newton beside Einstein";
 inline constexpr Text kRightRetardation = "right half: light delay";
 inline constexpr Text kRightContraction = "right half: contraction";
@@ -471,6 +481,9 @@ inline constexpr Text kSpacetimeTip =
     "The game stands in the room as a body of glass, with time upwards. A white line shows where you see "
     "each "
     "puck in it.";
+inline constexpr Text kSpeedsTip =
+    "A plate above each moving puck: the speed with which you see it move. What comes towards you can look "
+    "faster than light.";
 inline constexpr Text kNewsTip =
     "Rings over the cloth, in both pucks' colours: how far the news of each hit has come at the speed of "
     "light.";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -14,33 +15,54 @@ bool isSame(const Knot& a, const Knot& b) {
 /// Returns the board time before which no point knows of the knot.
 double heardFrom_s(const Knot& knot) { return std::min(knot.signal.t_s, knot.turn.t_s); }
 
-/// Returns a world line with the knot `leg`, and those before it that its points may still be leaving: from
-/// the last leg that all points had joined when it ended.
-WorldLine lately(const WorldLine& line, std::size_t leg) {
+/// Returns a world line with the knots from `first` to `last`, and those before them that its points may
+/// still be leaving: from the last leg that all points had joined when it ended.
+WorldLine lately(const WorldLine& line, std::size_t first, std::size_t last) {
   const Knots knots = line.knots();
-  std::size_t first = leg > 0 ? leg - 1 : 0;
+  if (first > 0) --first;
   while (first > 0 && !line.settlesBeforeNext(first)) --first;
   WorldLine part(knots[first], line.lightSpeed_m_s(), line.radius_m(), line.appears_s());
-  for (std::size_t k = first + 1; k <= leg; ++k) part.append(knots[k]);
+  for (std::size_t k = first + 1; k <= last; ++k) part.append(knots[k]);
   return part;
 }
 
 }  // namespace
 
-bool GrowingTube::Part::isSame(const Part& other) const {
-  return span.from_s == other.span.from_s && span.until_s == other.span.until_s &&
-         carom::isSame(knot, other.knot);
+void thin(std::vector<Event>& events, double off_m) {
+  const auto isNear = [&](std::size_t from, std::size_t to) {
+    const Event &a = events[from], &b = events[to];
+    for (std::size_t k = from + 1; k < to; ++k) {
+      const double share = (events[k].t_s - a.t_s) / (b.t_s - a.t_s);
+      if (!(glm::distance(a.r_m + (b.r_m - a.r_m) * share, events[k].r_m) <= off_m)) return false;
+    }
+    return true;
+  };
+  if (events.size() < 3) return;
+  // What is kept lies before what is still looked at.
+  std::size_t kept = 1, from = 0;
+  const Event last = events.back();
+  for (std::size_t to = 2; to < events.size(); ++to) {
+    if (isNear(from, to)) continue;
+    from = to - 1;
+    events[kept++] = events[from];
+  }
+  events[kept++] = last;
+  events.resize(kept);
 }
 
-bool GrowingTube::isUpToDate(const WorldLine& line, double now_s, double base_s) {
+bool GrowingTube::Part::isSame(const Part& other) const {
+  return span.from_s == other.span.from_s && span.until_s == other.span.until_s &&
+         std::ranges::equal(knots, other.knots, carom::isSame);
+}
+
+bool GrowingTube::isUpToDate(const WorldLine& line, const Span& window, double base_s, double fine_m) {
   const Knots knots = line.knots();
-  // The window's end is another on a border between two slices than behind it.
-  const double slice = std::floor(now_s / kSlice_s) + std::ceil(now_s / kSlice_s);
-  const Made made{knots.size(), knots.front(), knots.back(), slice, base_s};
-  const bool same = made.knots == made_.knots && carom::isSame(made.first, made_.first) &&
-                    carom::isSame(made.last, made_.last) && made.slice == made_.slice &&
-                    made.base_s == made_.base_s;
-  if (made.base_s != made_.base_s) {
+  const Made made{knots.size(), knots.front(), knots.back(), window, base_s, fine_m};
+  const bool isWhole = made.base_s == made_.base_s && made.fine_m == made_.fine_m;
+  const bool same = isWhole && made.knots == made_.knots && carom::isSame(made.first, made_.first) &&
+                    carom::isSame(made.last, made_.last) && window.from_s == made_.window.from_s &&
+                    window.until_s == made_.window.until_s;
+  if (!isWhole) {
     parts_.clear();
     points_.clear();
     triangles_.clear();
@@ -49,22 +71,20 @@ bool GrowingTube::isUpToDate(const WorldLine& line, double now_s, double base_s)
   return same;
 }
 
-// The surface is cut where the first point may hear of a knot, and of all later ones, and at each slice.
 void GrowingTube::findParts(const WorldLine& line, const Span& window) {
   const Knots knots = line.knots();
   wanted_.clear();
-  double until_s = window.until_s;
-  for (std::size_t leg = knots.size(); leg-- > 0 && until_s > window.from_s;) {
-    const Knot knot = knots[leg];
-    const double from_s = leg == 0 ? window.from_s : std::max(heardFrom_s(knot), window.from_s);
-    while (from_s < until_s) {
-      const double slice_s = kSlice_s * (std::ceil(until_s / kSlice_s) - 1.0);
-      const double begins_s = std::max(from_s, slice_s);
-      wanted_.push_back({knot, {begins_s, until_s}, leg});
-      until_s = begins_s;
-    }
+  std::size_t first = 0, behind = 0;  // behind the last that is heard
+  for (double from_s = window.from_s; from_s < window.until_s; from_s += kSlice_s) {
+    const Span span{from_s, from_s + kSlice_s};
+    while (behind < knots.size() && (behind == 0 || heardFrom_s(knots[behind]) < span.until_s)) ++behind;
+    while (first + 1 < behind && heardFrom_s(knots[first + 1]) <= span.from_s) ++first;
+    Part& part = wanted_.emplace_back();
+    part.span = span;
+    part.firstLeg = first;
+    part.knots.reserve(behind - first);
+    for (std::size_t k = first; k < behind; ++k) part.knots.push_back(knots[k]);
   }
-  std::reverse(wanted_.begin(), wanted_.end());
 }
 
 /// Removes the parts that end before `from_s`.
@@ -87,23 +107,26 @@ void GrowingTube::add(const Puck& puck, const WorldLine& line, Part part) {
   part.triangles = triangles_.size();
   const Span span{std::max(part.span.from_s, line.appears_s()), part.span.until_s};
   if (span.from_s < span.until_s) {
-    const WorldTube tube = worldTube(puck, lately(line, part.leg), span, 1.0, kEvery);
+    const std::size_t last = part.firstLeg + part.knots.size() - 1;
+    const double fine_m = 0.5 * made_.fine_m;  // of each of two steps that make it coarser
+    const WorldTube tube =
+        worldTube(puck, lately(line, part.firstLeg, last), span, 1.0, everyFor(puck, made_.fine_m));
     std::vector<std::vector<Event>> events;
     for (const auto& generator : tube.generators) {
-      events.push_back(eventsAlong(generator, span, tube.c_m_s, kChord_m));
+      thin(events.emplace_back(eventsAlong(generator, span, tube.c_m_s, fine_m)), fine_m);
       for (const Event& event : events.back())
         points_.emplace_back(event.r_m.x, event.r_m.y, tube.c_m_s * (event.t_s - made_.base_s));
     }
     addSides(events, static_cast<std::uint32_t>(part.points), triangles_);
   }
-  parts_.push_back(part);
+  parts_.push_back(std::move(part));
 }
 
-bool GrowingTube::follow(const Puck& puck, const WorldLine& line, double past_s, double now_s,
-                         double base_s) {
-  if (isUpToDate(line, now_s, base_s)) return false;
+bool GrowingTube::follow(const Puck& puck, const WorldLine& line, double past_s, double now_s, double base_s,
+                         double fine_m) {
   const Span window{kSlice_s * std::floor((now_s - past_s) / kSlice_s),
                     kSlice_s * std::ceil((now_s + kAhead_s + kSlice_s) / kSlice_s)};
+  if (isUpToDate(line, window, base_s, fine_m)) return false;
   forgetBefore(window.from_s);
   findParts(line, window);
   const auto isKept = [](const Part& a, const Part& b) { return a.isSame(b); };
@@ -114,8 +137,17 @@ bool GrowingTube::follow(const Puck& puck, const WorldLine& line, double past_s,
     triangles_.resize(had->triangles);
     parts_.erase(had, parts_.end());
   }
-  for (auto part = wants; part != wanted_.end(); ++part) add(puck, line, *part);
+  for (auto part = wants; part != wanted_.end(); ++part) add(puck, line, std::move(*part));
   return true;
+}
+
+TriangleRange GrowingTube::trianglesIn(const Span& span) const {
+  const auto first =
+      std::ranges::find_if(parts_, [&](const Part& p) { return p.span.until_s > span.from_s; });
+  const auto behind =
+      std::find_if(first, parts_.end(), [&](const Part& p) { return p.span.from_s > span.until_s; });
+  const auto beginOf = [&](auto part) { return part == parts_.end() ? triangles_.size() : part->triangles; };
+  return {beginOf(first), beginOf(behind) - beginOf(first)};
 }
 
 }  // namespace carom

@@ -19,30 +19,31 @@ class GrowingTube {
  public:
   /// How far ahead of the present it reaches at least; it is made in slices of kSlice_s.
   static constexpr double kAhead_s = 8.0, kSlice_s = 4.0;
-  /// It goes through every third point of the rim: between them it is off by at most 2 % of a disc's radius.
-  static constexpr std::size_t kEvery = 3;
-  /// By how much chords may be off where a point does not move straight.
-  static constexpr double kChord_m = 5e-4;
 
-  /// Follows the world line of a rigid puck from `past_s` before `now_s` on; its last leg is continued. The
-  /// times of the points are counted from board time `base_s`; where that differs from the last one, all is
-  /// made anew. Returns whether the surface has changed.
-  bool follow(const Puck& puck, const WorldLine& line, double past_s, double now_s, double base_s);
+  /// Follows the world line of a rigid puck from `past_s` before `now_s` on; its last leg is continued. It is
+  /// as coarse as `fine_m` allows: that far it may be off, at right angles to a disc's tube and along the
+  /// board. The times of the points are counted from board time `base_s`. Where that or `fine_m` differs from
+  /// the last one, all is made anew. Returns whether the surface has changed.
+  bool follow(const Puck& puck, const WorldLine& line, double past_s, double now_s, double base_s,
+              double fine_m);
 
   /// Points (x, y, c (t − base)), metres.
   std::span<const glm::vec3> points() const { return points_; }
   std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
 
+  /// Returns those among which all are that reach into a span of board times.
+  TriangleRange trianglesIn(const Span& span) const;
+
  private:
-  /// The surface between two board times, in which no signal of another knot arrives at the puck.
+  /// The surface of one slice.
   struct Part {
-    Knot knot;
     Span span;
-    std::size_t leg = 0;                    // index of the knot
+    std::size_t firstLeg = 0;
+    std::vector<Knot> knots;                // all of which a point can hear in it
     std::size_t points = 0, triangles = 0;  // where its own begin
     bool isSame(const Part& other) const;
   };
-  bool isUpToDate(const WorldLine& line, double now_s, double base_s);
+  bool isUpToDate(const WorldLine& line, const Span& window, double base_s, double fine_m);
   void findParts(const WorldLine& line, const Span& window);
   void forgetBefore(double from_s);
   void add(const Puck& puck, const WorldLine& line, Part part);
@@ -51,11 +52,16 @@ class GrowingTube {
   struct Made {
     std::size_t knots = 0;
     Knot first, last;
-    double slice = 0.0, base_s = 0.0;
+    Span window;
+    double base_s = 0.0, fine_m = 0.0;
   } made_;
   std::vector<Part> parts_, wanted_;
   std::vector<glm::vec3> points_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
+
+/// Leaves out events between the first and the last, as long as the straight line over those left out is
+/// nowhere further from them than `off_m` at the same board time.
+void thin(std::vector<Event>& events, double off_m);
 
 }  // namespace carom

@@ -78,6 +78,13 @@ class SculptureMap {
   double present_m() const { return present_m_.z; }                ///< its height above the foot
   double top_m() const { return place_.height_m / place_.scale; }  ///< metres of the board
   double lightSpeed_m_s() const { return frame_.frameFromBoard.lightSpeed_m_s(); }
+  /// Returns the board times between which all that is shown within `away_m` of the present event lies: c Δt
+  /// = h/γ + β·Δr for an event at the height h over the present.
+  Span shownWithin(double away_m) const {
+    const double gamma = gammaFromU(frame_.frameFromBoard.u()), aside_m = glm::length(place_.beta) * away_m;
+    return {frame_.about.t_s - (present_m() / gamma + aside_m) / lightSpeed_m_s(),
+            frame_.about.t_s + ((top_m() - present_m()) / gamma + aside_m) / lightSpeed_m_s()};
+  }
   const Event& present() const { return frame_.about; }
 
  private:

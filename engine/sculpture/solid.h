@@ -3,6 +3,7 @@
 // the corners of a triangle go round anticlockwise.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,6 +15,11 @@ namespace carom {
 struct SolidMesh {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Some triangles of a surface, one after the other.
+struct TriangleRange {
+  std::size_t first = 0, count = 0;
 };
 
 /// Returns the volume inside by the divergence theorem, V = Σ a·(b × c)/6: negative where it is inside out.

@@ -7,6 +7,11 @@
 
 namespace carom {
 
+/// Board times between which something is shown.
+struct Span {
+  double from_s = 0.0, until_s = 0.0;
+};
+
 /// A frame whose origin is the event `about`.
 struct SpacetimeFrame {
   Lorentz frameFromBoard;

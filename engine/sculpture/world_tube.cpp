@@ -38,6 +38,15 @@ std::vector<Vec2> rimOf(const Puck& puck) {
   return rim;
 }
 
+std::size_t everyFor(const Puck& puck, double fine_m) {
+  if (!puck.outline_m.empty())
+    return puck.radius_m > 150.0 * fine_m ? 1 : puck.radius_m > 16.0 * fine_m ? 3 : 6;
+  for (const int every : {12, 8, 6, 4, 3, 2})
+    if (puck.radius_m * (1.0 - std::cos(std::numbers::pi * every / kDiscPoints)) <= fine_m)
+      return static_cast<std::size_t>(every);
+  return 1;
+}
+
 WorldTube worldTube(const Puck& puck, const WorldLine& line, const Span& span, double widened,
                     std::size_t every) {
   WorldTube tube{line.lightSpeed_m_s(), {std::max(span.from_s, line.appears_s()), span.until_s}, {}};

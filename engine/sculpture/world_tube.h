@@ -15,11 +15,6 @@
 
 namespace carom {
 
-/// Board times between which something is shown.
-struct Span {
-  double from_s = 0.0, until_s = 0.0;
-};
-
 /// The histories of points of a puck's top rim, anticlockwise seen from above.
 struct WorldTube {
   double c_m_s = 1.0;
@@ -45,6 +40,10 @@ void addSides(const std::vector<std::vector<Event>>& events, std::uint32_t first
 /// Returns the places of the rim's points in the centre's rest frame, anticlockwise seen from above: of a
 /// disc or of an outline.
 std::vector<Vec2> rimOf(const Puck& puck);
+
+/// Returns of how many of these points one may be taken, so that chords of a disc's rim are nowhere off by
+/// more than `fine_m`: R (1 − cos(π/n)). An outline keeps its corners, and small ones nothing else.
+std::size_t everyFor(const Puck& puck, double fine_m);
 
 /// Returns the tube as a closed surface in a frame: the events of neighbouring generators, joined by
 /// triangles in the order of their board times, with a lid at each end.

@@ -5,7 +5,8 @@ places for values in it, is a text for people unless it is one of these:
  - the identity of a part of a window, which Dear ImGui does not show: it begins with "##";
  - an argument of a call of NOT_SHOWN, which names something to the graphics card, a file or the log;
  - in a file of OWN_WORDS, for the reason given there; the name of a file or of a key.
-Prints each text that it finds. Checks also that no room outside SCANNED can show texts (it includes none of SHOWING), that
+Prints each text that it finds. Each text of page_texts.h has a name of its own and is used by a page of app/page/pages, which
+has no other. Checks also that no room outside SCANNED can show texts (it includes none of SHOWING), that
 the catalogue has no text twice in one group nor one that nobody uses, and that each part of this list is needed."""
 
 import pathlib
@@ -14,6 +15,8 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 CATALOGUE = "cave/texts/texts.h"
+# The part of it for pages of visits, and the sources of these pages: names of its lists are used there.
+PAGE_TEXTS, PAGES = "cave/texts/page_texts.h", "app/page/pages"
 SCANNED = ["app/classroom", "app/console", "app/hand", "app/input", "app/operator", "app/play", "app/report", "app/session", "app/viewer",
            "cave/display", "cave/overlay", "cave/render", "cave/spectator"]
 # Rows of this room name texts for the others.
@@ -34,7 +37,9 @@ OWN_WORDS = {
     "app/classroom/class_address.cpp": "messages of the command line about addresses",
     "app/classroom/class_flow.h": "names of the teacher's steps, as pages send them",
     "app/classroom/class_pages.cpp": "names in pages and signs of HTML",
-    "app/classroom/class_server.cpp": "names of HTTP, and messages of the command line",
+    "app/classroom/class_connection.cpp": "names of HTTP, and paths of pages",
+    "app/classroom/class_host.h": "names of HTTP",
+    "app/classroom/class_host.cpp": "paths of pages, and messages of the command line",
     "app/classroom/classroom_messages.cpp": "keys of the messages to pages",
     "app/classroom/study_desk.cpp": "the path of a page",
     "app/classroom/phone_message.cpp": "keys of the messages of pages",
@@ -49,6 +54,7 @@ OWN_WORDS = {
     "cave/display/window.cpp": "messages of the command line about windows",
     "cave/render/body_program.h": "names in a shader",
     "cave/render/body_shaders.cpp": "source of a shader",
+    "cave/render/mark_buffer.cpp": "a line of a shader",
     "cave/spectator/solid_drawer.cpp": "names in a shader",
     "app/viewer/hand_tracking.cpp": "messages of the log about trackers",
     "app/viewer/head_tracking.cpp": "messages of the log about trackers",
@@ -127,12 +133,27 @@ for unused in sorted((NOT_SHOWN | LITERALS | set(OWN_WORDS)) - needed):
     fail(f"{unused} is excepted, but there is nothing to except")
 
 catalogue = (root / CATALOGUE).read_text()
-sources = "\n".join(file.read_text() for room in SCANNED + NAMING for file in (root / room).glob("*.*"))
-group = ""
-for found in re.finditer(r"(?m)^namespace (\w+) \{|\b(k[A-Z]\w*) = |\b(k[A-Z]\w*)\{", catalogue):
-    group = found.group(1) or group
-    name = found.group(2) or found.group(3)
-    if name and f"{name}" not in re.findall(r"texts::(?:\w+::)?(k\w+)", sources):
-        fail(f"{CATALOGUE}: nobody uses {group}::{name}")
+sources = "\n".join(file.read_text() for room in SCANNED + NAMING + ["app/page"] for file in (root / room).glob("*.*"))
+for file in (CATALOGUE, PAGE_TEXTS):
+    group = ""
+    for found in re.finditer(r"(?m)^namespace ([\w:]+) \{|\b(k[A-Z]\w*) = |\b(k[A-Z]\w*)\{", (root / file).read_text()):
+        group = found.group(1) or group
+        name = found.group(2) or found.group(3)
+        if name and f"{name}" not in re.findall(r"texts::(?:\w+::)?(k\w+)", sources):
+            fail(f"{file}: nobody uses {group}::{name}")
+
+page_texts = (root / PAGE_TEXTS).read_text()
+named = re.findall(r'\{\s*"(\w+)",\s*"', page_texts)
+scripts = "\n".join(file.read_text() for file in (root / PAGES).glob("*.js"))
+html = (root / PAGES / "visit.html").read_text()
+if len(named) < 40:
+    fail(f"{PAGE_TEXTS}: only {len(named)} texts were found")
+for name in sorted(set(named)):
+    if named.count(name) > 1:
+        fail(f"{PAGE_TEXTS}: {name} is there {named.count(name)} times")
+    if not re.search(rf'texts\.{name}\b|"{name}"', scripts) and f"{{{{{name}}}}}" not in html:
+        fail(f"{PAGE_TEXTS}: no page uses {name}")
+for name in sorted(set(re.findall(r"\btexts\.(\w+)", scripts)) - set(named)):
+    fail(f"{PAGES}: {name} is no text of {PAGE_TEXTS}")
 
 sys.exit(1 if failed else 0)

@@ -74,8 +74,8 @@ class WebClient {
   }
 
   /// Asks for a WebSocket. Returns the status of the answer, 101 if there is one.
-  int open(const std::string& host, const std::string& origin = "") {
-    send("GET /socket HTTP/1.1\r\nHost: " + host +
+  int open(const std::string& host, const std::string& origin = "", const std::string& path = "/socket") {
+    send("GET " + path + " HTTP/1.1\r\nHost: " + host +
          "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
          "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
          (origin.empty() ? "" : "Origin: " + origin + "\r\n") + "\r\n");
@@ -110,13 +110,14 @@ class WebClient {
   }
   void say(std::string_view text) { frame(0x81, text); }
 
-  /// Returns the next text, answering pings, or the code of a close as "close CODE", or "" if none comes.
+  /// Returns the next text or the next bytes, answering pings, or the code of a close as "close CODE", or ""
+  /// if none comes.
   std::string hear(std::chrono::milliseconds patience = kPatience) {
     for (;;) {
       std::uint8_t kind = 0;
       std::string payload;
       if (!next(kind, payload, patience)) return "";
-      if (kind == 0x1) return payload;
+      if (kind == 0x1 || kind == 0x2) return payload;
       if (kind == 0x9) frame(0x8a, payload);
       if (kind == 0x8 && payload.size() >= 2)
         return "close " + std::to_string(static_cast<unsigned char>(payload[0]) * 256 +

@@ -79,7 +79,8 @@ class Controls {
     this.pace = this.choice(texts.speed, kSpeeds.map(speed => [speed + " ×", speed]), speed => { this.speed = speed; });
     this.pace.select.value = String(kSpeeds.indexOf(1));
     this.bar.append(this.pace);
-    this.menuButton = this.button("☰", texts.open, () => this.showMenu(this.menu.hidden));
+    if (this.shown.live) this.bar.replaceChildren(this.clock); // its time is that of the room
+    this.menuButton = this.button("☰ " + texts.menu, texts.open, () => this.showMenu(this.menu.hidden));
     this.menu = make("section", "", "menu");
     this.menu.setAttribute("aria-label", texts.menu);
     this.buildMenu();
@@ -127,6 +128,7 @@ class Controls {
     const walls = [[texts.free, null], ...about.walls.map(wall => [fill(texts.wall, wall.name), wall])];
     if (about.walls.length) this.menu.append(this.choice(texts.look, walls, wall => { this.wall = wall; }));
     this.tryButton = make("button", texts.tryIt, "wide");
+    this.tryButton.hidden = Boolean(this.shown.live);
     this.tryButton.addEventListener("click", guarded(() => (this.game ? this.leaveGame() : this.beginGame())));
     this.menu.append(this.tryButton, make("h2", texts.effects));
     ["retardation", "contraction", "aberration"].forEach((name, i) =>
@@ -151,7 +153,7 @@ class Controls {
   }
 
   showPlaying(plays) {
-    if (plays && !this.game && this.now_s >= this.shown.frames.until_s) this.seek(this.shown.frames.from_s);
+    if (plays && !this.game && !this.shown.live && this.now_s >= this.shown.frames.until_s) this.seek(this.shown.frames.from_s);
     this.plays = plays;
     this.playButton.textContent = this.playButton.title = plays ? texts.pause : texts.play;
     this.playButton.setAttribute("aria-label", this.playButton.title);
@@ -203,6 +205,10 @@ class Controls {
 
   goOn(dt_s) {
     if (this.game) return;
+    if (this.shown.live) {
+      this.now_s = this.shown.live.now_s();
+      return;
+    }
     const { until_s } = this.shown.frames;
     this.now_s = Math.min(until_s, this.now_s + dt_s);
     this.slider.value = this.now_s;
@@ -270,7 +276,9 @@ class Controls {
   }
 
   words() {
-    const { view, about, watcher } = this;
+    const { view, about, watcher } = this, { live } = this.shown;
+    if (live && !live.isThere) return texts.away;
+    if (live && watcher.held === "held") return texts.liveHeld;
     if (watcher.held && !this.game) return texts[watcher.held];
     if (this.game) return texts.tryHow;
     if (watcher.mode === "drive") return texts.driveHow;
@@ -369,12 +377,19 @@ class Controls {
     this.steers = !this.held && isDriving && event.clientX < 2 * kStick_px && event.clientY > canvas.clientHeight - 4 * kStick_px ? event : null;
   }
 
+  // A body's centre, and where it is seen in the window; null where it is not, and before the first picture.
+  where(body) {
+    if (!this.clip) return null;
+    const centre = centreFromEye(this.shown.engine, body, this.view), at = centre && this.pixelOf(centre.fromEye);
+    return at ? { body, at, ...centre } : null;
+  }
+
+  // The puck that is nearest to the pointer, within a finger's reach.
   puckAt(event) {
-    for (let body = 1; body <= this.about.pucks; ++body) {
-      const centre = centreFromEye(this.shown.engine, body, this.view), at = centre && this.pixelOf(centre.fromEye);
-      if (at && Math.hypot(at[0] - event.clientX, at[1] - event.clientY) < kGrip_px) return { body, at, ...centre };
-    }
-    return null;
+    const away = ({ at }) => Math.hypot(at[0] - event.clientX, at[1] - event.clientY);
+    const pucks = Array.from({ length: this.about.pucks }, (_, i) => this.where(1 + i)).filter(Boolean);
+    pucks.sort((a, b) => away(a) - away(b));
+    return pucks.length && away(pucks[0]) < kGrip_px ? pucks[0] : null;
   }
 
   drag(event) {

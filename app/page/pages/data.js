@@ -58,9 +58,11 @@ class Frames {
     return low;
   }
 
+  statesAt(place) { return this.states.subarray(4 * place, 4 * place + 4); }
+
   state(place, row) {
     const eye = at => ({ event: row.slice(at, at + 4), inRoom: row.slice(at + 4, at + 7), seenFrom: row.slice(at + 7, at + 10) });
-    const state = this.states.subarray(4 * place, 4 * place + 4);
+    const state = this.statesAt(place);
     return {
       place, number: row[0], display_s: row[1], own_s: row[2], fade: row[3],
       eyes: { left: eye(4), right: eye(14), mono: eye(24) },

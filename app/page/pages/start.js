@@ -37,10 +37,13 @@ class Shown {
     this.content = content;
     this.about = content.about;
     this.engine = engine;
-    this.frames = new Frames(content);
-    this.known = new Known(content, engine);
+    const isLive = Number.isInteger(this.about.live);
+    this.frames = isLive ? new LiveFrames(content) : new Frames(content);
+    this.known = isLive ? new LiveKnown(content, engine) : new Known(content, engine);
+    this.known.begin();
     this.picture = new Picture(part("picture"), content, engine);
     this.watcher = new Watcher(content, engine, this.frames, this.known);
+    this.live = isLive ? new Live(this) : null;
   }
 
   // Draws a stored frame as a wall's picture, in its pixels.
@@ -112,14 +115,15 @@ class Shown {
       observer: wanted => this.watcher.set(wanted),
       // Plays the page's game anew with these strokes besides its own, and returns all its events.
       play: (until_s, strokes) => playedAnew(this.about, this.engine, until_s, strokes),
-      // Compiles every variant of the shaders that this page can ask for, and returns their number.
-      programs: () => {
-        const keys = Object.keys(this.about.shaders.variants);
+      // Compiles variants of the shaders that this page can ask for, by default all, and returns their number.
+      programs: (keys = Object.keys(this.about.shaders.variants)) => {
         for (const key of keys) this.picture.program(key, true);
         return keys.length;
       },
       body: name => this.about.bodies.findIndex((one, i) => i > 0 && one.name === name),
       about: () => this.about,
+      // Of a page that follows a game: how often it was told, and how often all anew.
+      told: () => this.live && { messages: this.live.messages, wholes: this.live.wholes },
     };
   }
 }
@@ -143,6 +147,7 @@ async function start() {
   for (const [name, work] of Object.entries(window.carom)) window.carom[name] = guarded(work);
   document.body.classList.add("ready");
   const controls = new Controls(shown);
+  window.carom.where = guarded(body => controls.where(body));
   const follow = guarded(() => {
     const wants = asked();
     document.body.classList.toggle("bare", "bare" in wants);

@@ -1,10 +1,9 @@
 // Seven-segment digits, and rows of them.
 
-/// Segments of a digit, bit 0 to 6: top, upper right, lower right, bottom, lower left, upper left, middle; 7:
-/// a leg below the middle.
+/// Segments of a digit, bit 0 to 6: top, upper right, lower right, bottom, lower left, upper left, middle.
 int segmentsOf(int digit) {
-  // Then a minus sign, a blank, a degree sign, an m.
-  int[14] table = int[14](63, 6, 91, 79, 102, 109, 125, 7, 127, 111, 64, 0, 99, 212);
+  // Then a minus sign.
+  int[11] table = int[11](63, 6, 91, 79, 102, 109, 125, 7, 127, 111, 64);
   return table[digit];
 }
 
@@ -27,7 +26,6 @@ float toDigit(vec2 p, int lit) {
   if ((lit & 16) != 0) d = min(d, toBar(p, vec2(-0.3, -0.5), vec2(-0.3, -0.1)));
   if ((lit & 32) != 0) d = min(d, toBar(p, vec2(-0.3, 0.1), vec2(-0.3, 0.5)));
   if ((lit & 64) != 0) d = min(d, toBar(p, vec2(-0.2, 0.0), vec2(0.2, 0.0)));
-  if ((lit & 128) != 0) d = min(d, toBar(p, vec2(0.0, -0.5), vec2(0.0, -0.1)));
   return d;
 }
 

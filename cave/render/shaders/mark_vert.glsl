@@ -3,18 +3,18 @@
 in vec3 drawn_m;
 in vec4 ink;
 in vec2 on;
-in vec3 what;
+in float what;
+in vec4 words;
 in vec4 plate;  // its middle, and half its diagonal
 uniform mat4 clipFromDrawn;
-uniform int plates;   // 1: they alone are drawn, 0: all else
-uniform float cutAt;  // the border that would cut them: 1 right, −1 left, 0 none
+uniform float cutAt;  // the border that would cut plates: 1 right, −1 left, 0 none
 out vec4 colourHere;
 out vec2 place;
-flat out vec3 style;
+flat out float style;
+flat out vec4 text;
 
 bool leftOut() {
-  if ((what.x > 0.5) != (plates == 1)) return true;
-  if (plates == 0 || cutAt == 0.0) return false;
+  if (what < 0.5 || cutAt == 0.0) return false;
   vec4 middle = clipFromDrawn * vec4(plate.xyz, 1.0);
   vec3 across = vec3(clipFromDrawn[0].x, clipFromDrawn[1].x, clipFromDrawn[2].x);
   return cutAt * middle.x + plate.w * length(across) > middle.w;
@@ -26,4 +26,5 @@ void main() {
   colourHere = ink;
   place = on;
   style = what;
+  text = words;
 }

@@ -72,6 +72,10 @@ TEST(TourFile, AMissingTimeIsOneFault) {
       "thrust_m_s2 = [0, 0, 0]\n");
   EXPECT_NE(legs.find("for_s is missing"), std::string::npos);
   EXPECT_EQ(linesOf(legs), 1) << legs;
+  const Scenario shown =
+      read("[[caption]]\nfor_s = 1\ntext = 'Look'\ncolour = true\n[[caption]]\nfor_s = 1\ntext = 'Listen'\n");
+  EXPECT_TRUE(shown.captions.at(0).colour);
+  EXPECT_FALSE(shown.captions.at(1).colour);
   const std::string captions =
       faultOf("[[caption]]\ntext = 'Look'\n[[caption]]\nfrom_s = 4\nfor_s = 1\ntext = 'Listen'\n");
   EXPECT_NE(captions.find("for_s is missing"), std::string::npos);

@@ -12,23 +12,30 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 
-class OpenPage:
-    """The window is small: where there is no card, a picture in motion takes processor from what a test asks meanwhile."""
+# A picture that no page has: with this hash nothing is drawn, which takes long where there is no card.
+UNDRAWN = "#frame=-1"
 
-    def __init__(self, file, width=400, height=240, flags=()):
-        self.file = pathlib.Path(file).resolve()
+
+class OpenPage:
+    """One browser, for one page after the other: it takes seconds to start. It draws by OpenGL, for which it needs a display:
+    where there is no card, Mesa keeps its shaders from run to run, while the browser's own drawing by the processor makes each
+    of them anew for seconds. The window is small: a picture in motion takes processor from what a test asks meanwhile."""
+
+    def __init__(self, file=None, width=400, height=240, flags=()):
+        self.show(file)
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
         for flag in ("--headless=new", "--no-sandbox", "--force-device-scale-factor=1", "--disable-dev-shm-usage",
-                     "--use-angle=swiftshader", "--enable-unsafe-swiftshader", f"--user-data-dir={self.profile.name}",
+                     "--use-angle=gl", "--ignore-gpu-blocklist", "--enable-unsafe-swiftshader",
+                     f"--user-data-dir={self.profile.name}",
                      f"--window-size={width},{height}", *flags):
             options.add_argument(flag)
         options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
         self.driver.set_script_timeout(300)
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 400})
+        self.metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 400}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", self.metrics)
 
     def __enter__(self):
         return self
@@ -37,12 +44,35 @@ class OpenPage:
         self.driver.quit()
         self.profile.cleanup()
 
-    def open(self, hash=""):
-        """Opens the page, and returns after how many seconds it has begun or given up."""
+    def show(self, file):
+        """Sets the page that `open` opens."""
+        self.file = pathlib.Path(file).resolve() if file else None
+
+    def open(self, hash="", file=None):
+        """Opens the page anew, or another one, and returns after how many seconds it has begun or given up."""
+        if file:
+            self.show(file)
+        return self.go(f"file://{self.file}{hash}")
+
+    def go(self, address):
+        """Opens the page of an address."""
+        self.driver.get("about:blank")
         begun = time.monotonic()
-        self.driver.get(f"file://{self.file}{hash}")
+        self.driver.get(address)
         self.until("return document.body.classList.contains('ready') || !document.getElementById('sorry').hidden")
         return time.monotonic() - begun
+
+    def without_webgl(self):
+        """From now on pages find no WebGL 2 here."""
+        self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": """
+          const given = HTMLCanvasElement.prototype.getContext;
+          HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+            return kind === 'webgl2' ? null : given.call(this, kind, ...more); };"""})
+
+    def another_tab(self):
+        """Goes on in a tab of its own; the pages of the others stay."""
+        self.driver.switch_to.new_window("tab")
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", self.metrics)
 
     def until(self, script, patience_s=120.0):
         ends = time.monotonic() + patience_s
@@ -71,13 +101,13 @@ class OpenPage:
     def screenshot(self, file):
         self.driver.save_screenshot(str(file))
 
-    def requested(self):
-        """The addresses that the page has asked for."""
+    def requested(self, of="file:"):
+        """The addresses that pages of such addresses have asked for."""
         found = set()
         for entry in self.driver.get_log("performance"):
             message = json.loads(entry["message"])["message"]
             # The browser's own first page has requests, too.
-            if message["method"] == "Network.requestWillBeSent" and message["params"]["documentURL"].startswith("file:"):
+            if message["method"] == "Network.requestWillBeSent" and message["params"]["documentURL"].startswith(of):
                 found.add(message["params"]["request"]["url"])
             if message["method"] == "Network.webSocketCreated":
                 found.add(message["params"]["url"])

@@ -1,20 +1,19 @@
-"""page_observer.py OUT NAME TABLE: another observer of the page OUT/NAME.html sees the centres of all bodies where `carom export
---observer` has written them into the table OUT/TABLE."""
+"""Another observer of a page, for page_pictures.py."""
 
 import csv
 import math
-import pathlib
-import sys
 
-from chromium_page import OpenPage
+from chromium_page import UNDRAWN
 from page_engine_frames import in_board_axes
 
-out, name, table = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-rows = [row for row in csv.DictReader((out / table).open()) if row["status"] == "seen"]
-rows = rows[:: max(1, len(rows) // 60)]
-worst = fastest = 0.0
-with OpenPage(out / f"{name}.html") as page:
-    page.open()
+
+def check_observer(page, out, name, table):
+    """Another observer of the page OUT/NAME.html sees the centres of all bodies where `carom export --observer` has written
+    them into the table OUT/TABLE."""
+    rows = [row for row in csv.DictReader((out / table).open()) if row["status"] == "seen"]
+    rows = rows[:: max(1, len(rows) // 60)]
+    worst = fastest = 0.0
+    page.open(UNDRAWN, out / f"{name}.html")
     known_s, held = page.call("about")["known_s"], 0
     for row in rows:
         number = {key: float(value) for key, value in row.items() if key not in ("body", "status")}
@@ -29,5 +28,6 @@ with OpenPage(out / f"{name}.html") as page:
         seen = page.call("engine", None, "mono", page.call("body", row["body"]), [[0, 0, 0]])[0]
         worst = max(worst, math.dist(in_board_axes(at["headFromBoard"], beta, seen), [number[f"seen_{axis}_m"] for axis in "xyz"]))
         fastest = max(fastest, math.hypot(*beta))
-print(f"{table}: {len(rows) - held} centres, {held} beyond the record held, the observer up to {fastest:.3f} c: within {worst:.2g} m of carom export")
-assert len(rows) - held > 20 and worst < 1e-9
+    print(f"{table}: {len(rows) - held} centres, {held} beyond the record held, the observer up to {fastest:.3f} c: within "
+          f"{worst:.2g} m of carom export")
+    assert len(rows) - held > 20 and worst < 1e-9

@@ -1,8 +1,8 @@
-"""page_pictures.py OUT NAME[:SHARE] …: the pictures of the page OUT/NAME.html are those that carom replay captured in OUT/NAME. In
+"""page_pictures.py OUT NAME[:SHARE] … NAME@TABLE …: the pictures of the page OUT/NAME.html are those that carom replay captured in OUT/NAME. In
 some frames of each, for every wall and eye: the outline of every puck within half a pixel, found in both pictures along its
 seen rim; colours within 3 of 255 on the mean, but for a pixel along edges; the solve of the graphics card beside that of
 the kernel in double; and nobody is called. The page draws no panels and no marks of light: up to SHARE of a picture below its
-upper panels may be theirs."""
+upper panels may be theirs. Of NAME@TABLE, another observer of the page (page_observer.py). All in one browser."""
 
 import io
 import math
@@ -13,10 +13,11 @@ import sys
 import numpy
 from PIL import Image
 
-from chromium_page import OpenPage, content
+from chromium_page import OpenPage, UNDRAWN, content
+from page_observer import check_observer
 
 out = pathlib.Path(sys.argv[1])
-FRAMES = int(os.environ.get("CAROM_PAGE_FRAMES", 4))  # of each session
+FRAMES = int(os.environ.get("CAROM_PAGE_FRAMES", 2))  # of each session
 MOST_PX, MOST_COLOUR = 0.5, 3.0
 
 
@@ -102,54 +103,53 @@ def eyes_in_room(file):
                    for i, n in enumerate(column[0])}
 
 
-def check(name, share=0.0):
+def check(page, name, share=0.0):
     about, eyes = eyes_in_room(out / f"{name}.html")
-    with OpenPage(out / f"{name}.html") as page:
-        ready_s = page.open()
-        numbers = page.call("frames")
-        chosen = [numbers[i * (len(numbers) - 1) // (FRAMES - 1)] for i in range(min(FRAMES, len(numbers)))]
-        worst_px = worst_share = worst_colour = worst_solve = worst_solve_px = 0.0
-        pictures = outlines = points = 0
-        for number in chosen:
-            for wall in about["walls"]:
-                for eye in wall["eyes"]:
-                    mine = pixels(page.wall(number, wall["name"], eye))
-                    other = pixels(out / name / f"{wall['name']}-{eye}-{number:06}.png")
-                    assert mine.shape == other.shape, (mine.shape, other.shape)
-                    calm = ~(near_edges(mine) | near_edges(other))
-                    top = mine.shape[0] * 3 // 10  # above it are the walls' panels
-                    apart = numpy.abs(mine - other).max(axis=2)[top:]
-                    marks = calm[top:] & (apart > 12 if share else False)
-                    worst_share = max(worst_share, marks.mean())
-                    worst_colour = max(worst_colour, numpy.abs(mine - other)[top:][calm[top:] & ~marks].mean())
-                    pictures += 1
-                    for body in range(1, 1 + about["pucks"]):
-                        puck = about["game"]["pucks"][body - 1]["numbers"]
-                        circle = [[puck[0] * math.cos(a), puck[0] * math.sin(a), puck[1] / 2]
-                                  for a in numpy.linspace(0, 2 * math.pi, 72, endpoint=False)]
-                        card, twin = page.call("seen", number, eye, body, circle), page.call("twin", number, eye, body, circle)
-                        if any(place is None for place in card):
-                            continue
-                        card, twin = numpy.array(card), numpy.array(twin)
-                        rim, ahead = projected(wall, eyes[number][eye], card)
-                        exact, _ = projected(wall, eyes[number][eye], twin)
-                        if (ahead < 0.05).any():
-                            continue
-                        worst_solve = max(worst_solve, numpy.abs(card - twin).max())
-                        width, height = wall["pixels"]
-                        inside = (rim > 8).all(axis=1) & (rim[:, 0] < width - 8) & (rim[:, 1] < height - 8)
-                        points += len(circle)
-                        if not inside.all():
-                            continue
-                        worst_solve_px = max(worst_solve_px, numpy.abs(rim - exact).max())
-                        shift = shift_px(mine, other, rim)
-                        if shift is not None:
-                            if shift >= MOST_PX:
-                                print(f"{name} frame {number} {wall['name']} {eye} {about['bodies'][body]['name']}: {shift:.2f} px at {rim.mean(axis=0)}")
-                            worst_px = max(worst_px, shift)
-                            outlines += 1
-        called = {url for url in page.requested() if not url.startswith("data:")}
-        strange = {url for url in called if url.split("#")[0] != f"file://{page.file}"}
+    ready_s = page.open(UNDRAWN, out / f"{name}.html")
+    numbers = page.call("frames")
+    chosen = [numbers[i * (len(numbers) - 1) // (FRAMES - 1)] for i in range(min(FRAMES, len(numbers)))]
+    worst_px = worst_share = worst_colour = worst_solve = worst_solve_px = 0.0
+    pictures = outlines = points = 0
+    for number in chosen:
+        for wall in about["walls"]:
+            for eye in wall["eyes"]:
+                mine = pixels(page.wall(number, wall["name"], eye))
+                other = pixels(out / name / f"{wall['name']}-{eye}-{number:06}.png")
+                assert mine.shape == other.shape, (mine.shape, other.shape)
+                calm = ~(near_edges(mine) | near_edges(other))
+                top = mine.shape[0] * 3 // 10  # above it are the walls' panels
+                apart = numpy.abs(mine - other).max(axis=2)[top:]
+                marks = calm[top:] & (apart > 12 if share else False)
+                worst_share = max(worst_share, marks.mean())
+                worst_colour = max(worst_colour, numpy.abs(mine - other)[top:][calm[top:] & ~marks].mean())
+                pictures += 1
+                for body in range(1, 1 + about["pucks"]):
+                    puck = about["game"]["pucks"][body - 1]["numbers"]
+                    circle = [[puck[0] * math.cos(a), puck[0] * math.sin(a), puck[1] / 2]
+                              for a in numpy.linspace(0, 2 * math.pi, 72, endpoint=False)]
+                    card, twin = page.call("seen", number, eye, body, circle), page.call("twin", number, eye, body, circle)
+                    if any(place is None for place in card):
+                        continue
+                    card, twin = numpy.array(card), numpy.array(twin)
+                    rim, ahead = projected(wall, eyes[number][eye], card)
+                    exact, _ = projected(wall, eyes[number][eye], twin)
+                    if (ahead < 0.05).any():
+                        continue
+                    worst_solve = max(worst_solve, numpy.abs(card - twin).max())
+                    width, height = wall["pixels"]
+                    inside = (rim[:, 0] > 8) & (rim[:, 1] > top + 8) & (rim[:, 0] < width - 8) & (rim[:, 1] < height - 8)
+                    points += len(circle)
+                    if not inside.all():
+                        continue
+                    worst_solve_px = max(worst_solve_px, numpy.abs(rim - exact).max())
+                    shift = shift_px(mine, other, rim)
+                    if shift is not None:
+                        if shift >= MOST_PX:
+                            print(f"{name} frame {number} {wall['name']} {eye} {about['bodies'][body]['name']}: {shift:.2f} px at {rim.mean(axis=0)}")
+                        worst_px = max(worst_px, shift)
+                        outlines += 1
+    called = {url for url in page.requested() if not url.startswith("data:")}
+    strange = {url for url in called if url.split("#")[0] != f"file://{page.file}"}
     print(f"{name}: {len(chosen)} frames, {pictures} pictures: {outlines} outlines within {worst_px:.3f} px, colours within "
           f"{worst_colour:.2f} of 255 ({100 * worst_share:.1f} % panels and marks); the card's solve of {points} places within {worst_solve:.2g} m, {worst_solve_px:.2g} px of "
           f"the kernel; ready after {ready_s:.1f} s, {(out / f'{name}.html').stat().st_size / 1e6:.2f} MB; called {len(strange)}")
@@ -157,6 +157,10 @@ def check(name, share=0.0):
     assert worst_solve < 1e-5 and worst_solve_px < 0.01 and not strange, strange
 
 
-for one in sys.argv[2:]:
-    of, _, its_share = one.partition(":")
-    check(of, float(its_share or 0))
+with OpenPage() as opened:
+    for one in sys.argv[2:]:
+        if "@" in one:
+            check_observer(opened, out, *one.split("@"))
+            continue
+        of, _, its_share = one.partition(":")
+        check(opened, of, float(its_share or 0))

@@ -81,6 +81,30 @@ TEST_F(AnnouncementsForTwo, ACaptionTurnsItsViewsOnAndThoseBeforeItOff) {
   EXPECT_EQ(decision_.commands.size(), 3U) << "both captions have begun anew";
 }
 
+TEST_F(AnnouncementsForTwo, ACaptionTurnsColourOnAndTheNextOneOff) {
+  scenario_.captions = {{1.0, 1.0, "plain", "", {}, false},
+                        {3.0, 1.0, "colour", "", {}, true},
+                        {5.0, 1.0, "plain", "", {}, false},
+                        {7.0, 1.0, "plain", "", {}, false}};
+  const auto turned = [](bool on) {
+    return std::vector<Command>{SetSwitch{&Switches::colour, false, on},
+                                SetSwitch{&Switches::searchlight, false, on}};
+  };
+  const std::vector<std::pair<double, std::vector<Command>>> expected{
+      {1.5, {}}, {3.5, turned(true)}, {5.5, turned(false)}, {7.5, {}}};
+  for (const auto& [own_s, commands] : expected) {
+    begin(own_s);
+    announcements_.putInto(decision_);
+    EXPECT_EQ(decision_.commands, commands) << own_s << " s";
+    EXPECT_EQ(read(0), own_s == 3.5 ? "colour" : "plain");
+    const std::vector<Command> given = decision_.commands;
+    begin(own_s + 0.1);
+    announcements_.tellEffects(given, decision_);
+    announcements_.putInto(decision_);
+    EXPECT_EQ(read(0), own_s == 3.5 ? "colour" : "plain") << "the sentence tells of it, and no message";
+  }
+}
+
 TEST_F(AnnouncementsForTwo, AnEffectChangesAFrameAfterItIsAsked) {
   begin(0.0);
   announcements_.tellEffects({}, decision_);

@@ -8,9 +8,13 @@
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/image.h"
+#include "cave/gl/letter_atlas.h"
 #include "cave/glowing_puck.h"
 #include "cave/render/mark_buffer.h"
 #include "cave/render/wall_renderer.h"
@@ -121,15 +125,44 @@ TEST_F(ClockDigits, CushionClocksTellTheTimeAtWhichTheirLightLeftAtAnyAge) {
   }
 }
 
+/// Which letter of ASCII is drawn in a place of a plate: the one whose ink is most alike, point by point.
+char letterAt(const Image& image, int place, double placeWidth_px, double margin_px) {
+  constexpr int kColumns = 12, kRows = 20;
+  const LetterAtlas& atlas = letterAtlas();
+  double best = -1.0;
+  char letter = '?';
+  for (char candidate = ' '; candidate <= 'z'; ++candidate) {
+    const std::string text(1, candidate);
+    std::string_view rest = text;
+    const int cell = takeLetter(rest);
+    double apart = 0.0;
+    for (int row = 0; row < kRows; ++row) {
+      for (int column = 0; column < kColumns; ++column) {
+        const double u = (column + 0.5) / kColumns, v = (row + 0.5) / kRows;
+        const auto x = static_cast<std::size_t>((cell % kLetterColumns + u) * kLetterCell_px.x);
+        const auto y = static_cast<std::size_t>((cell / kLetterColumns + v) * kLetterCell_px.y);
+        const double ink = atlas.ink[y * static_cast<std::size_t>(atlas.size_px.x) + x] / 255.0;
+        const bool lit = isLit(image, margin_px + (place + u) * placeWidth_px, v * image.size_px.y);
+        apart += std::abs(ink - (lit ? 1.0 : 0.0));
+      }
+    }
+    const double alike = 1.0 / (1.0 + apart);
+    if (alike > best) letter = candidate;
+    best = std::max(best, alike);
+  }
+  return letter;
+}
+
 TEST_F(ClockDigits, PlatesSayTheSame) {
   const glm::ivec2 pixels(700, 100);
   graphics_.makeCurrent();
   RenderTarget picture(pixels);
   MarkDrawer drawer;
-  for (const Shown& shown : times()) {
-    const PlateText text = tenthsOf(shown.time_s());
-    ASSERT_EQ(text.places, placesOf(shown.text()));
-    const double across = placesAcross(text, PlateShape::box), margin = 0.12 * kPlace;
+  std::vector<std::pair<PlateText, std::string>> plates{{plateText("looks 0.39 c"), "looks 0.39 c"},
+                                                        {plateText("Qgjy|@ABC"), "Qgjy|@ABC"}};
+  for (const Shown& shown : times()) plates.emplace_back(tenthsOf(shown.time_s()), shown.text());
+  for (const auto& [text, words] : plates) {
+    ASSERT_EQ(text.places, static_cast<int>(words.size()));
     MarkBuffer batch;
     batch.addPlate(std::array{glm::dvec3(-1, -1, 0), glm::dvec3(1, -1, 0)},
                    std::array{glm::dvec3(-1, 1, 0), glm::dvec3(1, 1, 0)}, text, PlateShape::box,
@@ -141,11 +174,37 @@ TEST_F(ClockDigits, PlatesSayTheSame) {
       drawer.draw(glm::mat4(1.0F));
     }
     const Image image = readBack(picture);
-    const auto lit = [&](double x, double y) {
-      return isLit(image, (x + margin) / (across * kPlace) * pixels.x, (y / 1.8 + 0.5) * pixels.y);
-    };
-    ASSERT_EQ(reading(text.places, lit), shown.text()) << shown.time_s() << " s";
+    const double width_px = pixels.x / placesAcross(text, PlateShape::box);
+    std::string said;
+    for (int place = 0; place < text.places; ++place)
+      said += letterAt(image, place, width_px, 0.12 * width_px);
+    ASSERT_EQ(said, words);
   }
+}
+
+// The picture of letters stands upright: an L has its bar below, a T above, a sign of a degree is high up,
+// and each letter keeps within its cell.
+TEST(LetterAtlas, StandsUpright) {
+  const LetterAtlas& atlas = letterAtlas();
+  const auto inkOf = [&](std::string_view letter, double from, double to) {
+    const int cell = takeLetter(letter);
+    double sum = 0.0;
+    for (int y = static_cast<int>(from * kLetterCell_px.y); y < static_cast<int>(to * kLetterCell_px.y);
+         ++y) {
+      for (int x = 0; x < kLetterCell_px.x; ++x) {
+        const int column = cell % kLetterColumns * kLetterCell_px.x + x,
+                  row = cell / kLetterColumns * kLetterCell_px.y + y;
+        sum += atlas.ink[static_cast<std::size_t>(row * atlas.size_px.x + column)];
+      }
+    }
+    return sum;
+  };
+  EXPECT_GT(inkOf("L", 0.0, 0.4), 1.3 * inkOf("L", 0.6, 1.0));
+  EXPECT_GT(inkOf("T", 0.6, 1.0), 1.3 * inkOf("T", 0.0, 0.4));
+  EXPECT_EQ(inkOf("°", 0.0, 0.45), 0.0);
+  EXPECT_GT(inkOf("°", 0.45, 1.0), 0.0);
+  EXPECT_EQ(inkOf(" ", 0.0, 1.0), 0.0);
+  EXPECT_EQ(inkOf("白", 0.0, 1.0), inkOf("?", 0.0, 1.0));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cave/gl/view_colours.h"
+#include "cave/plate_words.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -24,8 +25,8 @@ ObserverView observerAt(const Event& head, const Lorentz& headFromBoard) {
   return {headFromBoard, eye, eye, eye, 0.0};
 }
 
-bool isGlow(const MarkCorner& corner) { return corner.what.x < -0.5F; }
-bool isPlate(const MarkCorner& corner) { return corner.what.x > 0.5F; }
+bool isGlow(const MarkCorner& corner) { return corner.style < -0.5F; }
+bool isPlate(const MarkCorner& corner) { return corner.style > 0.5F; }
 
 /// The middle of the glows, which stand around one place.
 Vec3 glowOf(const MarkBuffer& batch) {
@@ -123,7 +124,7 @@ TEST(TheRuler, IsAMetreLongAndMarksTenthsOfASecondOfLight) {
   std::vector<double> marks_m;
   for (const MarkCorner& corner : batch.corners()) {
     const Vec3 place_m = eye.r_m + Vec3(corner.drawn_m);
-    if (corner.what.x != 0.0F || std::abs(place_m.z - kOnCloth_m) > 1e-5) continue;  // flat on the cloth
+    if (corner.style != 0.0F || std::abs(place_m.z - kOnCloth_m) > 1e-5) continue;  // flat on the cloth
     if (glm::vec3(corner.colour) == kRulerLightColour) {
       marks_m.push_back(place_m.x + 0.5);
     } else {
@@ -165,14 +166,12 @@ Angles anglesOf(const std::vector<GameEvent>& events, const Event& eye, const Ve
   MarkBuffer batch;
   addAngles(sight, crowd, batch);
   Angles angles;
-  float last = -1.0F;
+  std::string last;
   for (const MarkCorner& corner : batch.corners()) {
-    if (isPlate(corner) && corner.what.z != last) {
-      last = corner.what.z;
-      const int code = static_cast<int>(last) >> 4;  // without the sign of a degree
-      angles.degrees.push_back((code >> 12 & 15) * 1000 + (code >> 8 & 15) * 100 + (code >> 4 & 15) * 10 +
-                               (code & 15));
-    }
+    const std::string words = test::plateWords(corner);  // "79.0#"
+    if (isPlate(corner) && words != last)
+      angles.degrees.push_back(static_cast<int>(std::lround(10.0 * std::stod(words))));
+    if (isPlate(corner)) last = words;
     if (!isPlate(corner)) {
       angles.furthest_m = std::max(angles.furthest_m, glm::distance(eye.r_m + Vec3(corner.drawn_m), place_m));
     }

@@ -8,8 +8,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <string>
 #include <vector>
 
+#include "cave/plate_words.h"
 #include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
 
@@ -43,10 +46,10 @@ Looked lookAt(const GameEvent& event, const Event& eye, const Lorentz& headFromB
   Looked looked;
   const MarkContext sight{observer, observer.middle, switches, {}, 0, {}, {}, {&event, 1}, {}};
   LabelLayout crowd(sight);
-  addEvents(sight, {}, crowd, looked.batch);
+  addEvents(sight, {}, {}, crowd, looked.batch);
   for (const MarkCorner& corner : looked.batch.corners()) {
     looked.nearest_m = std::min(looked.nearest_m, static_cast<double>(glm::length(corner.drawn_m)));
-    looked.markerShown = looked.markerShown || corner.what.x > 0.5F;
+    looked.markerShown = looked.markerShown || corner.style > 0.5F;
   }
   return looked;
 }
@@ -107,7 +110,7 @@ TEST(LightOfAFlash, HasTheColourOfThePuckThatFlashes) {
   const MarkContext sight{observer, observer.middle, {}, {}, 2, lines, {}, {&flash, 1}, {}};
   LabelLayout crowd(sight);
   MarkBuffer batch;
-  addEvents(sight, colours, crowd, batch);
+  addEvents(sight, colours, {}, crowd, batch);
   ASSERT_GT(batch.corners().size(), 1000u);
   for (const MarkCorner& corner : batch.corners()) ASSERT_GT(corner.colour.r, corner.colour.b);
 }
@@ -128,8 +131,9 @@ TEST(EventMarkers, WithoutRetardationAreThereWhenItHappens) {
 std::vector<int> flagsOf(const MarkBuffer& batch) {
   std::vector<int> numbers;
   for (const MarkCorner& corner : batch.corners()) {
-    const int number = static_cast<int>(corner.what.z);
-    if (corner.what.x > 0.5F && (numbers.empty() || numbers.back() != number)) numbers.push_back(number);
+    if (corner.style < 0.5F) continue;
+    const int number = std::stoi(test::plateWords(corner));
+    if ((numbers.empty() || numbers.back() != number)) numbers.push_back(number);
   }
   return numbers;
 }
@@ -147,7 +151,7 @@ TEST(EventMarkers, OnlyTheLatestSeenStayAndTheOlderAreFainter) {
   const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, events, {}};
   LabelLayout crowd(sight);
   MarkBuffer batch;
-  addEvents(sight, {}, crowd, batch);
+  addEvents(sight, {}, {}, crowd, batch);
   std::sort(events.begin(), events.end(), [](const GameEvent& a, const GameEvent& b) {
     return glm::length(a.at.r_m) > glm::length(b.at.r_m);  // the furthest is seen last
   });
@@ -156,7 +160,7 @@ TEST(EventMarkers, OnlyTheLatestSeenStayAndTheOlderAreFainter) {
   for (std::size_t i = 0; i < shown.size(); ++i) EXPECT_EQ(shown[i], static_cast<int>(events[i].number));
   float faintest = 1.0F;
   for (const MarkCorner& corner : batch.corners()) {
-    if (corner.what.x < 0.5F) continue;
+    if (corner.style < 0.5F) continue;
     EXPECT_LE(corner.colour.a, faintest);
     faintest = corner.colour.a;
   }
@@ -192,44 +196,54 @@ TEST(LabelLayout, KeepsPlatesApart) {
   }
 }
 
-int placeOf(const PlateText& text, int place) {
-  return static_cast<int>(text.digits >> (4 * (text.places - 1 - place)) & 15U);
-}
-
-std::string readingOf(const PlateText& text) {
-  std::string reading;
-  for (int i = 0; i < text.places; ++i) {
-    if (text.behind > 0 && i == text.places - text.behind) reading += '.';
-    reading += "0123456789- dm"[placeOf(text, i)];
-  }
-  return reading;
-}
-
 TEST(Plates, SayNumbersAndTimes) {
-  EXPECT_EQ(readingOf(wholeNumber(0)), "0");
-  EXPECT_EQ(readingOf(wholeNumber(17)), "17");
-  EXPECT_EQ(readingOf(wholeNumber(98765)), "98765");
-  EXPECT_EQ(readingOf(wholeNumber(1234567890123)), "234567890123");
-  EXPECT_EQ(readingOf(hundredthsOf(0.938)), "0.94");
-  EXPECT_EQ(readingOf(hundredthsOf(-0.004)), "0.00");
-  EXPECT_EQ(readingOf(hundredthsOf(-1.154)), "-1.15");
-  EXPECT_EQ(readingOf(hundredthsOf(1e300)), "999.99");
-  EXPECT_EQ(readingOf(tenthsOf(0.0)), "0.0");
-  EXPECT_EQ(readingOf(tenthsOf(0.19)), "0.1");
-  EXPECT_EQ(readingOf(tenthsOf(12.35)), "12.3");
-  EXPECT_EQ(readingOf(tenthsOf(-0.01)), "-0.1");
-  EXPECT_EQ(readingOf(tenthsOf(-12.21)), "-12.3");
-  EXPECT_EQ(readingOf(tenthsOf(9999.95)), "9999.9");
-  EXPECT_EQ(readingOf(tenthsOf(2004.95)), "2004.9");
-  EXPECT_EQ(readingOf(tenthsOf(-264.25)), "-264.3");
-  EXPECT_EQ(readingOf(tenthsOf(86399.95)), "86399.9");
-  EXPECT_EQ(readingOf(tenthsOf(86400.0)), "86400.0");
-  EXPECT_EQ(readingOf(tenthsOf(-86400.05)), "-86400.1");
-  EXPECT_EQ(readingOf(tenthsOf(-1e300)), "-200000000.0") << "six years are the most";
-  EXPECT_EQ(readingOf(degreesOf(78.96)), "79.0d");
-  EXPECT_EQ(readingOf(degreesOf(0.04)), "0.0d");
-  EXPECT_EQ(readingOf(degreesOf(180.0)), "180.0d");
-  EXPECT_EQ(readingOf(metresOf(1.0)), "1.0m");
+  EXPECT_EQ(test::plateWords(wholeNumber(0)), "0");
+  EXPECT_EQ(test::plateWords(wholeNumber(17)), "17");
+  EXPECT_EQ(test::plateWords(wholeNumber(98765)), "98765");
+  EXPECT_EQ(test::plateWords(wholeNumber(1234567890123)), "234567890123");
+  EXPECT_EQ(test::plateWords(hundredthsOf(0.938)), "0.94");
+  EXPECT_EQ(test::plateWords(hundredthsOf(-0.004)), "0.00");
+  EXPECT_EQ(test::plateWords(hundredthsOf(-1.154)), "-1.15");
+  EXPECT_EQ(test::plateWords(hundredthsOf(1e300)), "999.99");
+  EXPECT_EQ(test::plateWords(tenthsOf(0.0)), "0.0");
+  EXPECT_EQ(test::plateWords(tenthsOf(0.19)), "0.1");
+  EXPECT_EQ(test::plateWords(tenthsOf(12.35)), "12.3");
+  EXPECT_EQ(test::plateWords(tenthsOf(-0.01)), "-0.1");
+  EXPECT_EQ(test::plateWords(tenthsOf(-12.21)), "-12.3");
+  EXPECT_EQ(test::plateWords(tenthsOf(9999.95)), "9999.9");
+  EXPECT_EQ(test::plateWords(tenthsOf(2004.95)), "2004.9");
+  EXPECT_EQ(test::plateWords(tenthsOf(-264.25)), "-264.3");
+  EXPECT_EQ(test::plateWords(tenthsOf(86399.95)), "86399.9");
+  EXPECT_EQ(test::plateWords(tenthsOf(86400.0)), "86400.0");
+  EXPECT_EQ(test::plateWords(tenthsOf(-86400.05)), "-86400.1");
+  EXPECT_EQ(test::plateWords(tenthsOf(-1e300)), "-200000000.0") << "six years are the most";
+  EXPECT_EQ(test::plateWords(measured("{:.1f}°", 78.96)), "79.0#");
+  EXPECT_EQ(measured("γ {:.2f}", 1.25), plateText("γ 1.25"));
+  EXPECT_EQ(test::plateWords(measured("looks {:.2f} c", 0.391)), "looks 0.39 c");
+  EXPECT_EQ(test::plateWords(measured("{:.2f} c", -1.0)), "0.00 c");
+  EXPECT_EQ(test::plateWords(measured("length {:.2f}", 1e300)), "length 9999.") << "twelve letters";
+  EXPECT_EQ(test::plateWords(plateText("白 a\xff")), "? a?");
+}
+
+// A flash with a short name carries it on its flag, every other event its number.
+TEST(EventMarks, AFlashWithAShortNameShowsIt) {
+  const ObserverView observer = observerAt({9.0, {0.0, -2.0, 1.0}}, Lorentz(kC_m_s));
+  std::array<GameEvent, 3> events;
+  for (std::size_t i = 0; i < 3; ++i) {
+    events[i].number = i;
+    events[i].which = static_cast<std::uint32_t>(2 - i);
+    events[i].at = {5.0, {0.3 * static_cast<double>(i), 0.0, 0.0}};
+  }
+  events[1].kind = EventKind::stroke;
+  const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, events, {}};
+  LabelLayout crowd(sight);
+  MarkBuffer batch;
+  const std::array<PlateText, 3> names{PlateText{}, plateText("B"), plateText("C")};
+  addEvents(sight, {}, names, crowd, batch);
+  std::set<std::string> said;
+  for (const MarkCorner& corner : batch.corners())
+    if (corner.style > 0.5F) said.insert(test::plateWords(corner));
+  EXPECT_EQ(said, (std::set<std::string>{"1", "2", "C"}));
 }
 
 // A puck's plate shows the puck's own time where its light left, τ = τ_k + (t − t_k)/γ, and stands above it.
@@ -259,12 +273,10 @@ TEST(PuckClocks, ShowThePucksOwnTimeAsItIsSeen) {
     const PlateText expected = tenthsOf(own_s);
     int ofPlate = 0;
     for (const MarkCorner& corner : batch.corners()) {
-      if (corner.what.x == 0.0F) continue;  // of its stem
+      if (corner.style == 0.0F) continue;  // of its stem
       ++ofPlate;
-      ASSERT_EQ(static_cast<std::uint64_t>(corner.what.y) << 24 | static_cast<std::uint64_t>(corner.what.z),
-                expected.digits)
+      ASSERT_EQ(test::plateWords(corner), test::plateWords(expected))
           << "case " << i << ": " << own_s << " s";
-      ASSERT_EQ(static_cast<int>(corner.what.x) % 16, expected.places);
     }
     ASSERT_GT(ofPlate, 0);
     // The middle of its lower border is where that point of the puck is seen.
@@ -298,11 +310,10 @@ TEST(PuckClocks, ThoseOnARimShowTheRimsOwnTimes) {
     LabelLayout crowd(sight);
     MarkBuffer batch;
     addPuckClocks(sight, {colours, reach_m, rims_m}, crowd, batch);
-    std::vector<std::uint64_t> drawn;
+    std::vector<std::string> drawn;
     for (const MarkCorner& corner : batch.corners()) {
-      if (corner.what.x == 0.0F) continue;  // of a stem
-      drawn.push_back(static_cast<std::uint64_t>(corner.what.y) << 24 |
-                      static_cast<std::uint64_t>(corner.what.z));
+      if (corner.style == 0.0F) continue;  // of a stem
+      drawn.push_back(test::plateWords(corner));
     }
     for (int k = 0; k < 6; ++k) {
       const double angle_rad = std::numbers::pi * k / 3.0;
@@ -312,7 +323,7 @@ TEST(PuckClocks, ThoseOnARimShowTheRimsOwnTimes) {
       const double own_s = properTimeAt(pieceAt(history, left_s), left_s, kC_m_s);
       const double tenth = std::remainder(10.0 * own_s, 1.0);
       if (std::abs(tenth) < 1e-3) continue;  // rounding decides the digit
-      ASSERT_EQ(std::count(drawn.begin(), drawn.end(), tenthsOf(own_s).digits) > 0, true)
+      ASSERT_EQ(std::count(drawn.begin(), drawn.end(), test::plateWords(tenthsOf(own_s))) > 0, true)
           << "case " << i << ", clock " << k << ": " << own_s << " s";
       double nearest_m = 1e9;
       const glm::vec3 seen(emission(lines[1], foot_m, eye, headFromBoard)->seen.dr_m);
@@ -320,6 +331,60 @@ TEST(PuckClocks, ThoseOnARimShowTheRimsOwnTimes) {
         nearest_m = std::min(nearest_m, static_cast<double>(glm::length(corner.drawn_m - seen)));
       ASSERT_LT(nearest_m, 0.01) << "case " << i << ", clock " << k << ": half as thick as its stem";
     }
+  }
+}
+
+// Each puck that moves carries a plate with the speed with which it is seen to move: β/(1 + β cos α), where α
+// is between its way and that of the eye's look. One that rests has none.
+TEST(SeenSpeeds, AreThoseThatAreSeen) {
+  test::Random random(77);
+  for (int i = 0; i < 100; ++i) {
+    CASE(random, i);
+    const double beta = random.in(0.05, 0.95);
+    const Vec3 along = glm::normalize(Vec3(random.in(-1.0, 1.0), random.in(-1.0, 1.0), 0.0));
+    const std::array<WorldLine, 3> lines{
+        WorldLine(Knot{}, kC_m_s),
+        WorldLine({{0.0, random.inBox(1.0)}, uFromBeta(beta * along), 0.0, {}, 0.0}, kC_m_s, 0.03),
+        WorldLine({{0.0, random.inBox(1.0)}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s, 0.03)};
+    const Event eye{random.in(0.0, 3.0), random.inBox(2.0)};
+    const ObserverView observer = observerAt(eye, Lorentz(kC_m_s));
+    const MarkContext sight{observer, observer.middle, {}, {}, 2, lines, {}, {}, {}};
+    LabelLayout crowd(sight);
+    MarkBuffer batch;
+    addSeenSpeeds(sight, std::array{0.0, 0.04, 0.04}, crowd, batch);
+    std::set<std::string> said;
+    for (const MarkCorner& corner : batch.corners())
+      if (corner.style > 0.5F) said.insert(test::plateWords(corner));
+    // By differences: where it is seen a moment earlier and later.
+    const auto seenAt = [&](double t_s) { return centreSeen(lines[1], {t_s, eye.r_m}).event.r_m; };
+    constexpr double kMoment_s = 1e-4;
+    const double speed_m_s =
+        glm::distance(seenAt(eye.t_s + kMoment_s), seenAt(eye.t_s - kMoment_s)) / (2.0 * kMoment_s);
+    const double looks = speed_m_s / kC_m_s;
+    if (std::abs(std::remainder(100.0 * looks - 0.5, 1.0)) < 0.05) continue;  // rounding decides the digit
+    EXPECT_EQ(said, std::set<std::string>{test::plateWords(measured("looks {:.2f} c", looks))})
+        << "case " << i;
+  }
+}
+
+// Labels stand where they are told, and some of them only while the lesson explains.
+TEST(LessonMarks, LabelsStandThereInEachPhase) {
+  const ObserverView observer = observerAt({1.0, {0.0, -2.0, 1.0}}, Lorentz(kC_m_s));
+  MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, {}, {}};
+  LessonPlan plan;
+  plan.labels = {{"A", {0.1, 0.2, 0.0}, false}, {"2.5 M", {0.5, 0.0, 0.0}, true}};
+  for (const auto& [phase, expected] : {std::pair{LessonPhase::none, std::set<std::string>{}},
+                                        {LessonPhase::asks, {"A"}},
+                                        {LessonPhase::shows, {"A"}},
+                                        {LessonPhase::explains, {"A", "2.5 M"}}}) {
+    sight.lesson.phase = phase;
+    LabelLayout crowd(sight);
+    MarkBuffer batch;
+    addLessonMarks(sight, plan, {}, crowd, batch);
+    std::set<std::string> said;
+    for (const MarkCorner& corner : batch.corners())
+      if (corner.style > 0.5F) said.insert(test::plateWords(corner));
+    EXPECT_EQ(said, expected);
   }
 }
 
@@ -351,11 +416,10 @@ TEST(LessonMarks, ALineOfSimultaneityIsDrawnWhereItsEventsAreForTheObserver) {
       float nearest_m = 1e9F;
       bool told = std::abs(std::remainder(100.0 * t_s, 1.0)) < 1e-6;  // rounding decides the digit
       for (const MarkCorner& corner : batch.corners()) {
-        if (corner.what.x == 0.0F)
+        if (corner.style == 0.0F)
           nearest_m = std::min(nearest_m, glm::length(corner.drawn_m - expected));
         else
-          told |= (static_cast<std::uint64_t>(corner.what.y) << 24 |
-                   static_cast<std::uint64_t>(corner.what.z)) == hundredthsOf(t_s).digits;
+          told |= test::plateWords(corner) == test::plateWords(hundredthsOf(t_s));
       }
       ASSERT_LT(nearest_m, 0.007F) << "case " << i << ", clock " << k << ": half as wide as the line";
       ASSERT_TRUE(told) << "case " << i << ", clock " << k << ": " << t_s << " s";

@@ -99,7 +99,7 @@ MarkBuffer onlyGlows(const MarkBuffer& batch) {
   MarkBuffer glows;
   const auto corners = batch.corners();
   for (std::size_t i = 0; i + 5 < corners.size(); i += 6) {
-    if (corners[i].what.x > -0.5F) continue;
+    if (corners[i].style > -0.5F) continue;
     const glm::dvec3 middle_m = 0.5 * (glm::dvec3(corners[i].drawn_m) + glm::dvec3(corners[i + 5].drawn_m));
     const double radius_m = 0.5 * glm::distance(corners[i].drawn_m, corners[i + 1].drawn_m);
     glows.addGlow(middle_m, radius_m, corners[i].colour);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/random_world.h"
+#include "engine/sculpture/sculpture_reach.h"
 
 namespace carom {
 namespace {
@@ -51,6 +52,32 @@ TEST(SculpturePlace, ABoostKeepsThePresentEventAndAllIntervals) {
     ASSERT_NEAR(again.t_s, a.t_s, 1e-8);
     ASSERT_LT(glm::distance(again.r_m, a.r_m), 1e-8);
   }
+}
+
+// Whatever is shown between foot and top, within a distance of the present on the board, happens between the
+// times that are told for it, and no frame shows what is older than the reach.
+TEST(SculpturePlace, TellsTheTimesThatItShows) {
+  test::Random random(3621);
+  int shown = 0, nearBorder = 0;
+  for (int i = 0; i < 20000; ++i) {
+    CASE(random, i);
+    const SculpturePlace place = placeOf(random);
+    const Event present{random.in(0.0, 3600.0), random.inBox(2.0)};
+    const SculptureMap map(place, present, kC_m_s);
+    const double away_m = random.in(0.1, 4.0), angle = random.in(0.0, 6.3);
+    const Vec3 aside = away_m * random.in(0.0, 1.0) * Vec3(std::cos(angle), std::sin(angle), 0.0);
+    const Span span = map.shownWithin(away_m);
+    const Event event{random.in(span.from_s - 0.5, span.until_s + 0.5), present.r_m + aside};
+    const double height_m = map.model_m(event).z;
+    if (height_m < 0.0 || height_m > map.top_m()) continue;
+    ++shown;
+    ASSERT_GE(event.t_s, span.from_s - 1e-9);
+    ASSERT_LE(event.t_s, span.until_s + 1e-9);
+    ASSERT_GE(event.t_s, present.t_s - reachWithin_s(place, kC_m_s, away_m) - 1e-9);
+    nearBorder += std::min(event.t_s - span.from_s, span.until_s - event.t_s) < 0.3 ? 1 : 0;
+  }
+  EXPECT_GT(shown, 3000);
+  EXPECT_GT(nearBorder, 100) << "the times are not much wider than what is shown";
 }
 
 }  // namespace
