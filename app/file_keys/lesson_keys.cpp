@@ -59,6 +59,7 @@ FileKey lessonKeys() {
        words("number", "what comes out, and why", kLessonNumberLetters),
        viewsKey("views of time that it begins with"),
        viewsKey("views of time that are on while it explains", "explains_views"),
+       flag("offers_spacetime", "while it explains, a button shows the game's spacetime in the room"),
        required(
            number("from_s", kNotNegative, "board time at the observer at which the lesson begins to show")),
        required(number("until_s", kPositive,

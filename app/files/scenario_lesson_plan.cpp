@@ -171,6 +171,7 @@ LessonPlan readLessonPlan(const TomlTable& lesson, const LessonGame& game) {
   plan.observers = readAll(lesson, "observer", [&](const TomlTable& table) { return read.observer(table); });
   const int most = static_cast<int>(std::max<std::size_t>(plan.observers.size(), 1));
   plan.explainedFor = static_cast<std::size_t>(lesson.integer("explained_for", most) - 1);
+  plan.offersSpacetime = lesson.flag("offers_spacetime");
   plan.holds = lesson.flag("hold");
   plan.stopwatches =
       readAll(lesson, "stopwatch", [&](const TomlTable& table) { return read.stopwatch(table); });

@@ -23,6 +23,8 @@ std::optional<Command> commandOf(const WallAction& action, const OperatorSetting
       return beginTasks(settings);
     case WallAction::Kind::nextTask:
       return nextTask(settings);
+    case WallAction::Kind::spacetime:
+      return SetView{&TimeViews::spacetime, settings.views.spacetime == 0};
     case WallAction::Kind::keys:
       return ShowKeys{!settings.keysShown};
   }

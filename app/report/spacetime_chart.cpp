@@ -72,7 +72,7 @@ ChartLine through(const glm::dvec2& event, const glm::dvec2& direction, const st
 }
 
 /// The board times that a diagram shows.
-struct Span {
+struct Period {
   double from_s;
   double until_s;
 };
@@ -94,7 +94,7 @@ glm::dvec2 reachOfPeople(const DiagramSubject& subject, const Plane& plane) {
 }
 
 /// Sets size and ranges: light goes at 45°, and the board and all people's presents are in sight.
-void setRanges(Chart& chart, double c_m_s, const Span& span, double half_m, const glm::dvec2& people_m) {
+void setRanges(Chart& chart, double c_m_s, const Period& span, double half_m, const glm::dvec2& people_m) {
   chart.yRange = c_m_s * glm::dvec2(span.from_s, span.until_s);
   chart.xRange = {std::min(-half_m, people_m.x) - kMargin_m, std::max(half_m, people_m.y) + kMargin_m};
   // The width follows from light at 45°, but is limited; if the limit is reached, more future is shown.
@@ -119,7 +119,7 @@ void addCushions(Chart& chart, double half_m) {
   }
 }
 
-void addBodies(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
+void addBodies(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Period& span) {
   for (std::size_t i = 0; i < subject.lines.size(); ++i) {
     const double known_s = std::max(subject.knownUntil_s, subject.lines[i].knots().back().turn.t_s);
     const double end_s = std::min(known_s, std::max(span.until_s, chart.yRange.y / subject.c_m_s));
@@ -133,7 +133,7 @@ void addBodies(Chart& chart, const DiagramSubject& subject, const Plane& plane, 
 }
 
 /// Adds the sides of soft pucks, in the colours of their centres.
-void addSoftSides(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
+void addSoftSides(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Period& span) {
   for (const SoftSides& puck : subject.softSides) {
     for (const std::vector<Event>& side : puck.lines) {
       ChartLine line{"", {}, inkOf(subject.names[puck.puck], puck.puck), 1.2F, ChartLine::Style::solid};
@@ -169,7 +169,7 @@ void addFlash(Chart& chart, const std::string& name, const glm::dvec2& at, const
       {fmt::format(texts::diagram::kFlash, name), {at}, colour, 9.0F, ChartLine::Style::marks});
 }
 
-void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Span& span) {
+void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Period& span) {
   ChartLine happened{texts::diagram::kEvents, {}, glm::vec3(0.35F), 6.0F, ChartLine::Style::marks};
   std::size_t flashes = 0;
   for (const GameEvent& event : subject.events) {
@@ -294,7 +294,7 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   chart.xTitle = fmt::format(texts::diagram::kAcross, frame.along);
   chart.yTitle = texts::diagram::kUpwards;
   const double half_m = halfExtent_m(subject, frame.along);
-  const Span span{from_s, until_s};
+  const Period span{from_s, until_s};
   setRanges(chart, subject.c_m_s, span, half_m, reachOfPeople(subject, plane));
   if (subject.board) addCushions(chart, half_m);
   addBodies(chart, subject, plane, span);

@@ -9,16 +9,17 @@ namespace carom {
 
 struct WallAction {
   enum class Kind : std::uint8_t {
-    none,      ///< nothing: the ground between buttons
-    choice,    ///< `number` is that of a Choice
-    choose,    ///< an answer or a velocity of the lesson, counted from 1 by `number`
-    goOn,      ///< as Enter: skip, explanation, back to the scene, best shot
-    again,     ///< as Y
-    home,      ///< as Home
-    unfreeze,  ///< as F in a frozen view
-    keys,      ///< as H
-    tasks,     ///< begins the tasks
-    nextTask,  ///< goes on to the next one
+    none,       ///< nothing: the ground between buttons
+    choice,     ///< `number` is that of a Choice
+    choose,     ///< an answer or a velocity of the lesson, counted from 1 by `number`
+    goOn,       ///< as Enter: skip, explanation, back to the scene, best shot
+    again,      ///< as Y
+    home,       ///< as Home
+    unfreeze,   ///< as F in a frozen view
+    keys,       ///< as H
+    spacetime,  ///< as I
+    tasks,      ///< begins the tasks
+    nextTask,   ///< goes on to the next one
   };
   Kind kind = Kind::none;
   std::uint8_t number = 0;

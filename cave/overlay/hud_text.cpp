@@ -211,6 +211,17 @@ std::string paceWords(const LessonPlan& plan) {
   return slowness > 1.0 ? fmt::format(texts::lesson::kSlowMotion, slowness) : "";
 }
 
+/// Adds what to press while the lesson explains.
+void addExplainedButtons(const SeenFrame& seen, const LessonPlan& plan, bool mayLeave, Lines& lines) {
+  std::vector<HudChip> chips{chip(Kind::goOn, texts::lesson::kBackToScene),
+                             chip(Kind::again, texts::lesson::kAskAgain)};
+  if (plan.offersSpacetime) {
+    chips.push_back(chip(Kind::spacetime, texts::lesson::kSpacetime));
+    chips.back().isOn = seen.record.views.spacetime != 0;
+  }
+  addButtons(seen, {}, std::move(chips), mayLeave, lines);
+}
+
 /// Adds the lesson's text for its phase, and how to continue.
 void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
                bool mayLeave, Lines& lines) {
@@ -233,10 +244,7 @@ void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPla
       addAnswer(lesson, seen.record.lesson.answer, lines);
       addReadings(seen, plan, {}, lines);
       addObservers(seen, plan, lines);
-      return addButtons(
-          seen, {},
-          {chip(Kind::goOn, texts::lesson::kBackToScene), chip(Kind::again, texts::lesson::kAskAgain)},
-          mayLeave, lines);
+      return addExplainedButtons(seen, plan, mayLeave, lines);
   }
 }
 

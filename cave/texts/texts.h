@@ -55,6 +55,7 @@ inline constexpr Text kSlowMotion = "Slow motion: 1/{:g}";
 inline constexpr Text kSkip = "Skip  Enter", kAgain = "Again  Y", kExplanation = "Explanation  Enter";
 inline constexpr Text kBackToScene = "Scene  Enter", kAskAgain = "Ask again  Y";
 inline constexpr Text kTimeGoesOn = "Let time go on  F", kLeave = "Leave  F7";
+inline constexpr Text kSpacetime = "Spacetime  I";
 inline constexpr Text kSkipped = "(skipped)";
 }  // namespace lesson
 

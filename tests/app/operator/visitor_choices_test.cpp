@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/files/scenario.h"
+#include "app/operator/wall_commands.h"
 
 namespace carom {
 namespace {
@@ -36,6 +37,16 @@ TEST(VisitorChoices, LessonsGoOnAfterTheOneSeenLast) {
   EXPECT_EQ(commandOf(Choice::lessons, settings), Command(PlayScenario{fileOfGame(kLessons[0]), true}));
   EXPECT_EQ(commandOf(Choice::play, settings), Command(PlayScenario{fileOfGame(kWelcome), true}));
   EXPECT_EQ(commandOf(Choice::showMe, settings), Command(PlayScenario{fileOfGame(kShowMe), true}));
+}
+
+TEST(WallCommands, TheButtonOfSpacetimeTurnsItsViewOnAndOff) {
+  OperatorSettings settings;
+  const WallAction button{WallAction::Kind::spacetime};
+  EXPECT_EQ(commandOf(button, settings), Command(SetView{&TimeViews::spacetime, true}));
+  settings.views.spacetime = 1;
+  EXPECT_EQ(commandOf(button, settings), Command(SetView{&TimeViews::spacetime, false}));
+  for (const char* lesson : {"two-cushions", "cause", "twins", "train-in-tunnel"})
+    EXPECT_TRUE(readScenario(fileOfGame(lesson)).lesson->plan.offersSpacetime) << lesson;
 }
 
 TEST(VisitorChoices, TheFirstMinuteOffersTheChoices) {

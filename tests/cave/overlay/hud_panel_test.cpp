@@ -189,6 +189,26 @@ TEST(HudPanel, TellWhatIsMeasuredAndWhichVelocitiesThereAre) {
   EXPECT_EQ(textsOf(lines).back(), "[Again  Y][Explanation  Enter][Let time go on  F][Leave  F7]");
 }
 
+TEST(HudText, AnExplanationMayOfferSpacetime) {
+  FrameRecord record;
+  record.lesson.phase = LessonPhase::explains;
+  std::vector<HudLine> lines;
+  const auto offered = [&](bool may) {
+    LessonPlan plan;
+    plan.offersSpacetime = may;
+    describe(record, kLesson, plan, {}, kLineLetters, lines);
+    const auto& chips = lines.back().chips;
+    const auto found = std::find_if(chips.begin(), chips.end(), [](const HudChip& chip) {
+      return chip.action == WallAction{WallAction::Kind::spacetime};
+    });
+    return found == chips.end() ? std::string() : found->text + (found->isOn ? " *" : "");
+  };
+  EXPECT_EQ(offered(false), "");
+  EXPECT_EQ(offered(true), texts::lesson::kSpacetime);
+  record.views.spacetime = 1;
+  EXPECT_EQ(offered(true), std::string(texts::lesson::kSpacetime) + " *");
+}
+
 TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
   FrameRecord record = recordAt(1.0);
   record.lesson = {LessonPhase::shows, 1};
