@@ -189,14 +189,14 @@ TEST(HudPanel, TellWhatIsMeasuredAndWhichVelocitiesThereAre) {
   EXPECT_EQ(textsOf(lines).back(), "[Again  Y][Explanation  Enter][Let time go on  F][Leave  F7]");
 }
 
-TEST(HudText, AnExplanationMayOfferSpacetime) {
-  FrameRecord record;
+TEST(HudPanel, AnExplanationMayOfferSpacetime) {
+  FrameRecord record = recordAt(1.0);
   record.lesson.phase = LessonPhase::explains;
   std::vector<HudLine> lines;
   const auto offered = [&](bool may) {
     LessonPlan plan;
     plan.offersSpacetime = may;
-    describe(record, kLesson, plan, {}, kLineLetters, lines);
+    describe(record, kLesson, plan, {}, 120, lines);
     const auto& chips = lines.back().chips;
     const auto found = std::find_if(chips.begin(), chips.end(), [](const HudChip& chip) {
       return chip.action == WallAction{WallAction::Kind::spacetime};
