@@ -112,7 +112,7 @@ Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& reco
                                const ObserverView& observer, const EyeView& eye) {
   const TimeViews& views = record.views;
   // Scripted scenery, and scripted bodies that move with the person, need no ghost: it would coincide with
-  // them. People of another room have no ghosts, because nobody has told yet where they are at those moments.
+  // them. People of another room have no ghosts: their places at those moments are not known yet.
   const auto view = [&](std::vector<BodyView>& ghosts, const Event& observation, ViewTime moment,
                         const Vec3& u) {
     ghosts.resize(bodies_.size());

@@ -65,10 +65,11 @@ void applyRows(const FrameState& state, World& world) {
 constexpr double kPeopleKept_s = 600.0;
 
 void applyTold(const FrameState& state, World& world) {
-  const double c_m_s = world.histories.front().lightSpeed_m_s();
   for (const ToldMoment& moment : state.told) {
-    if (moment.person >= kMostViewers) throw std::out_of_range("frame record: a person who is one too many");
-    if (moment.person >= world.people.size()) world.people.resize(moment.person + 1, ToldPath(c_m_s));
+    if (moment.person >= kMostViewers || world.histories.empty())
+      throw std::out_of_range("frame record: a person who is one too many");
+    if (moment.person >= world.people.size())
+      world.people.resize(moment.person + 1, ToldPath(world.histories.front().lightSpeed_m_s()));
     world.people[moment.person].add(moment);
   }
   if (!std::isfinite(state.record.forgetBefore_s)) return;

@@ -61,7 +61,7 @@ class GlassDrawer {
   struct Piece {
     const GlassMesh* mesh = nullptr;
     GlassLook look;
-    /// What is drawn of it.
+    /// The triangles that are drawn of it.
     TriangleRange triangles{0, std::numeric_limits<std::size_t>::max()};
   };
   /// Draws all pieces. Call it within a GlStateGuard, with the depth test on.

@@ -29,7 +29,7 @@ const std::string kCells =
 constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, for each shape
 constexpr std::size_t kLettersInAFloat = 3;                  // of 8 bits: as many as it holds exactly
 
-/// Writes a value in words; leaves out what is too long.
+/// Writes a value in words, cut after twelve letters.
 template <typename Value>
 PlateText written(fmt::format_string<Value> words, Value value) {
   std::array<char, 48> text{};

@@ -33,7 +33,7 @@ struct PlateText {
   int places = 0;
   bool operator==(const PlateText&) const = default;
 };
-PlateText plateText(std::string_view words);  ///< UTF-8; what is too long is cut off
+PlateText plateText(std::string_view words);  ///< UTF-8; cut after twelve letters
 PlateText wholeNumber(std::uint64_t number);  ///< the last twelve digits of `number`
 /// Returns a time as all clocks show it: rounded down to tenths, from minus to plus six years.
 PlateText tenthsOf(double time_s);

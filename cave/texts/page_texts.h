@@ -75,7 +75,7 @@ inline constexpr std::array<PageText, 48> kScript{{
     {"liveHeld", "Here it is later than for those in the room: this has not happened to them yet."},
 }};
 
-/// On the walls, and for phones that ask for what is not there.
+/// On the walls, and for phones that ask for a page which does not exist.
 inline constexpr const char *kTakeHome = "Take your game home:", *kForAnHour = "For an hour from now";
 inline constexpr const char* kNoSuchCode = "There is no page of this code. Look at the wall again, please.";
 inline constexpr const char* kExpired = "The hour of this page is over: it is no longer here.";

@@ -53,8 +53,8 @@ void ToldPath::forgetBefore(double board_s) {
   if (kept - moments_.begin() > 1) moments_.erase(moments_.begin(), kept - 1);
 }
 
-/// The u of the way to the next moment, from somewhat before this one. Nothing later has to do with what is
-/// seen.
+/// Returns the γβ of the way from somewhat before this moment to the next one. Later moments change no
+/// picture.
 Vec3 ToldPath::uAfter(std::size_t moment) const {
   if (moment + 1 >= moments_.size()) return Vec3(0.0);
   const Event& to = moments_[moment + 1].head;

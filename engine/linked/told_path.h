@@ -19,7 +19,7 @@ namespace carom {
 /// How a moment follows the one before.
 enum class ToldKind : std::uint64_t {
   goesOn,
-  begins,  ///< the person appears: what was told of another one in this place is void
+  begins,  ///< the person appears; moments of another one in this place are void
   ends,    ///< the person is gone, and vanishes
 };
 
@@ -55,8 +55,8 @@ class ToldPath {
  public:
   explicit ToldPath(double lightSpeed_m_s) : c_m_s_(lightSpeed_m_s) {}
 
-  /// Adds a moment. Leaves out one to which nobody could have come from the last: earlier, or faster than
-  /// light.
+  /// Adds a moment. Leaves out a moment that nobody could have reached from the last: an earlier one, or one
+  /// that only a motion faster than light would reach.
   void add(const ToldMoment& moment);
   /// Forgets the moments before `board_s` but the last of them.
   void forgetBefore(double board_s);

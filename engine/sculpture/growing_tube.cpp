@@ -38,7 +38,7 @@ void thin(std::vector<Event>& events, double off_m) {
     return true;
   };
   if (events.size() < 3) return;
-  // What is kept lies before what is still looked at.
+  // Events that are kept lie before those that are still examined.
   std::size_t kept = 1, from = 0;
   const Event last = events.back();
   for (std::size_t to = 2; to < events.size(); ++to) {

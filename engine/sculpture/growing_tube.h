@@ -39,7 +39,7 @@ class GrowingTube {
   struct Part {
     Span span;
     std::size_t firstLeg = 0;
-    std::vector<Knot> knots;                // all of which a point can hear in it
+    std::vector<Knot> knots;                // those whose signals reach a point of the slice
     std::size_t points = 0, triangles = 0;  // where its own begin
     bool isSame(const Part& other) const;
   };

@@ -1,7 +1,7 @@
 // Colours a mark: a flat colour, a soft light (style = −1), a disc (−2), or a plate with letters. For a
-// plate, style is the sum of its number of places and 16 times its shape (cave/render/mark_buffer.h: box, clock, flag), and
-// each part of `text` has three letters. kCells: columns and rows of the picture of letters
-// (cave/gl/letter_atlas.h).
+// plate, style is the sum of its number of places and 16 times its shape (cave/render/mark_buffer.h: box,
+// clock, flag), and each part of `text` has three letters. kCells: columns and rows of the picture of
+// letters (cave/gl/letter_atlas.h).
 in vec4 colourHere;
 in vec2 place;  // on a plate places from its left border, 0 … 1 over its height; on a light or a disc −1 … 1
 flat in float style;

@@ -224,7 +224,7 @@ std::string refusalOfFirst(const std::filesystem::path& file) {
 TEST(SessionFile, AColumnThatCannotBeIsRefusedWithFileFrameAndField) {
   const std::vector<std::pair<const char*, const char*>> damages{
       {"switches is 64, expected 0 to 31", "frame SET switches = 64"},
-      {"views is 8192, expected 0 to 8191", "frame SET views = 8192"},
+      {"views is 16384, expected 0 to 16383", "frame SET views = 16384"},
       {"beside is 32, expected 0 to 31", "frame SET beside = 32"},
       {"blank is 300, expected a whole number up to 255", "frame SET blank = 300"},
       {"shown is -1, expected", "frame SET shown = -1"},

@@ -127,7 +127,7 @@ TEST_F(ClockDigits, CushionClocksTellTheTimeAtWhichTheirLightLeftAtAnyAge) {
 
 /// Which letter of ASCII is drawn in a place of a plate: the one whose ink is most alike, point by point.
 char letterAt(const Image& image, int place, double placeWidth_px, double margin_px) {
-  constexpr int kColumns = 12, kRows = 20;
+  constexpr int kColumns = 12, kRows = 60;  // a line below is as thin as a twentieth
   const LetterAtlas& atlas = letterAtlas();
   double best = -1.0;
   char letter = '?';
