@@ -159,7 +159,7 @@ TEST_F(ClockDigits, PlatesSayTheSame) {
   RenderTarget picture(pixels);
   MarkDrawer drawer;
   std::vector<std::pair<PlateText, std::string>> plates{{plateText("looks 0.39 c"), "looks 0.39 c"},
-                                                        {plateText("Qgjy|@ABC"), "Qgjy|@ABC"}};
+                                                        {plateText("Qgjy@ABC"), "Qgjy@ABC"}};
   for (const Shown& shown : times()) plates.emplace_back(tenthsOf(shown.time_s()), shown.text());
   for (const auto& [text, words] : plates) {
     ASSERT_EQ(text.places, static_cast<int>(words.size()));
