@@ -98,12 +98,14 @@ void addCounter(const MarkContext& sight, const Resting& draw, const TickCounter
                    centre_m + Vec3(0.0, 0.0, top_m), glm::vec4(kFlashColour, 1.0F), crowd);
 }
 
-void addGauge(const MarkContext& sight, const Resting& draw, const Gauge& gauge, double top_m,
+/// Adds a plate above a body with a quantity of it; none if it is less than `least`.
+void addGauge(const MarkContext& sight, const Resting& draw, const Gauge& gauge, double top_m, double least,
               LabelLayout& crowd, MarkBuffer& batch) {
   const Motion seen =
       centreSeen(sight.histories[gauge.body], sight.observer.middle.observation, sight.switches);
   const double value =
       gauged(gauge.quantity, seen, {sight.observer, sight.boardFromRoom, sight.lesson.phase, sight.switches});
+  if (!(value >= least)) return;
   addStandingPlate(
       batch, sight, draw, measured(texts::plate::kGauges[static_cast<std::size_t>(gauge.quantity)], value),
       PlateShape::box, seen.event.r_m + Vec3(0.0, 0.0, top_m), glm::vec4(kFlashColour, 1.0F), crowd);
@@ -115,13 +117,8 @@ void addSeenSpeeds(const MarkContext& sight, std::span<const double> tops_m, Lab
                    MarkBuffer& batch) {
   constexpr double kAtRest = 5e-3;  // of c: half of the plate's last digit
   const Resting draw(sight);
-  for (std::size_t body = 1; body <= sight.pucks; ++body) {
-    const Motion seen = centreSeen(sight.histories[body], sight.observer.middle.observation, sight.switches);
-    const double speed = gauged(GaugeQuantity::apparentSpeed, seen,
-                                {sight.observer, sight.boardFromRoom, sight.lesson.phase, sight.switches});
-    if (speed >= kAtRest)
-      addGauge(sight, draw, {body, GaugeQuantity::apparentSpeed}, tops_m[body], crowd, batch);
-  }
+  for (std::size_t body = 1; body <= sight.pucks; ++body)
+    addGauge(sight, draw, {body, GaugeQuantity::apparentSpeed}, tops_m[body], kAtRest, crowd, batch);
 }
 
 std::size_t seenTicks(const MarkContext& sight, const TickCounter& counter) {
@@ -144,7 +141,7 @@ void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<
   if (sight.lesson.phase == LessonPhase::asks) return;
   for (const TickCounter& counter : plan.counters)
     addCounter(sight, draw, counter, tops_m[counter.body], crowd, batch);
-  for (const Gauge& gauge : plan.gauges) addGauge(sight, draw, gauge, tops_m[gauge.body], crowd, batch);
+  for (const Gauge& gauge : plan.gauges) addGauge(sight, draw, gauge, tops_m[gauge.body], 0.0, crowd, batch);
   for (const Stopwatch& watch : plan.stopwatches) {
     if (!watch.stands_m) continue;
     addStandingPlate(

@@ -15,6 +15,7 @@
 #include "cave/gl/image.h"
 #include "cave/render/room_sculpture.h"
 #include "cave/room/off_axis.h"
+#include "cave/sculpted_game.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/vertex_history.h"
 #include "engine/random_game.h"
@@ -28,15 +29,6 @@ constexpr int kPicture_px = 800;
 constexpr double kHalfField = 0.20;  // tangent of half the field of view: a pixel is half a milliradian
 constexpr double kNearest_m = 0.25;  // an eye cannot see sharply what is nearer
 constexpr double kAlong_px = 7.0;    // how far beside the expected place the line is looked for
-
-SculptedGame sculptedOf(const BilliardSetup& setup) {
-  SculptedGame game;
-  for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
-    game.bodies.push_back({kFirstPuck + i, setup.pucks[i], glm::vec3(0.0F)});
-    game.top_m = std::max(game.top_m, setup.pucks[i].height_m);
-  }
-  return game;
-}
 
 /// A picture taken from `from_m` towards `to_m`.
 struct Camera {
@@ -198,7 +190,7 @@ TEST_F(SculpturePicture, TheBrightLineIsWhereTheSeenRimIs) {
     World world;
     world.histories.push_back(restingWorldLine(setup.lightSpeed_m_s));
     for (const WorldLine& line : billiard.worldLines()) world.histories.push_back(line);
-    game_ = sculptedOf(setup);
+    game_ = test::sculptedOf(setup, glm::vec3(0.0F));
     test::Random random(seed);
     FrameRecord record;
     record.pucks = setup.pucks.size();

@@ -8,6 +8,7 @@
 
 #include "cave/frame/bodies.h"
 #include "cave/room/off_axis.h"
+#include "cave/sculpted_game.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/vertex_history.h"
 #include "engine/random_game.h"
@@ -16,15 +17,6 @@
 
 namespace carom {
 namespace {
-
-SculptedGame sculptedOf(const BilliardSetup& setup) {
-  SculptedGame game;
-  for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
-    game.bodies.push_back({kFirstPuck + i, setup.pucks[i], glm::vec3(1.0F)});
-    game.top_m = std::max(game.top_m, setup.pucks[i].height_m);
-  }
-  return game;
-}
 
 /// A wall that the place is seen on, a metre before the eye.
 Wall wallTowards(const Vec3& way) {
@@ -60,7 +52,7 @@ TEST(SculptureShape, TheBrightLineIsTheSeenRim) {
       viewer.observer.headFromBoard = Lorentz::boost(random.u(0.9), c_m_s);
       viewer.observer.middle.observation = {now_s, {random.in(-2.0, 2.0), random.in(-2.0, 2.0), 0.8}};
     }
-    SculptureShape shape(sculptedOf(setup));
+    SculptureShape shape(test::sculptedOf(setup, glm::vec3(1.0F)));
     shape.follow(record, world);
     EXPECT_EQ(shape.cuts().size(), 5 * setup.pucks.size()) << "three moments of one viewer, two of the other";
     for (const TubeCut& cut : shape.cuts()) {
