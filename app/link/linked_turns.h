@@ -26,7 +26,7 @@ class LinkedTurns {
   /// `room`: the number of this one, whose people know at once what they do.
   explicit LinkedTurns(std::uint32_t room) : room_(room) {}
 
-  /// A room has joined, whose people begin their scores: it was room 1 that made so many strokes before.
+  /// A room has joined: the people of room 1 begin their scores, after so many strokes of that room.
   void joined(std::uint32_t before);
   /// Knows of a stroke.
   void struck(const LinkStroke& stroke);
@@ -36,7 +36,8 @@ class LinkedTurns {
   /// Counts all whose light has reached the eye.
   void look(const Event& eye, double lightSpeed_m_s);
 
-  /// Returns whose turn it is in rooms with so many people, as far as it has been seen here.
+  /// Returns the person who has the turn, as far as it has been seen here. `people`: their number in each
+  /// room.
   LinkedPlayer turn(const std::array<std::uint32_t, 2>& people) const;
   /// Returns how many strokes of a person have been seen here.
   std::uint32_t strokes(const LinkedPlayer& player) const {
@@ -60,7 +61,7 @@ class LinkedTurns {
   std::uint32_t room_;
   std::vector<LinkStroke> strokesAhead_;  ///< whose light is still on its way
   std::vector<Carom> caromsAhead_;
-  std::uint32_t before_ = 0;            ///< strokes of room 1 that are in nobody's score
+  std::uint32_t before_ = 0;            ///< first strokes of room 1, which do not count
   OfPlayers strokes_{};                 ///< that were seen
   OfPlayers caroms_{}, caromsKnown_{};  ///< 1 + the number of the newest stroke that became a carom
   std::optional<LinkStroke> latest_;    ///< of those that were seen

@@ -110,7 +110,7 @@ class LinkedRoom {
   bool isHall_ = false, isFirst_ = true, isMarked_ = false;  ///< marked: the walls say who is there
   double waited_s_ = 0.0;
   std::uint64_t frames_ = 0;
-  LinkReport counted_;  ///< what is counted and measured here
+  LinkReport counted_;  ///< its counts and measurements; the rest is empty
   struct Measured {
     LineTraffic traffic;  ///< all until then
     LinkClock::time_point at{};
