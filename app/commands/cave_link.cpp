@@ -10,6 +10,7 @@
 
 #include "app/files/config_folder.h"
 #include "app/files/rig_viewers.h"
+#include "app/journal/linked_game_file.h"
 #include "app/operator/visitor_choices.h"
 #include "engine/base/log.h"
 #include "engine/base/outside_file.h"
@@ -102,7 +103,7 @@ std::string CaveLink::invitedFile() { return (configFolder() / "scenarios" / "li
 
 void CaveLink::wait() { room_.begin(true); }
 
-void CaveLink::play(const InputFile& file, Scenario& scenario) {
+void CaveLink::play(const InputFile& file, Scenario& scenario, const std::vector<HandStroke>* before) {
   LinkedGame game;
   game.scenario = textOf(file);
   game.whyNot = whyNotLinked(scenario);
@@ -112,10 +113,12 @@ void CaveLink::play(const InputFile& file, Scenario& scenario) {
   game.billiard = scenario.billiard;
   game.start = scenario.observer;
   game.meshes = meshesOf(scenario);
+  for (const HandStroke& made : before ? *before : std::vector<HandStroke>())
+    game.strokes.push_back({made.room, {made.number, static_cast<std::uint32_t>(made.viewer), made.stroke}});
   const double apart_m = play_.self().apart_m.value_or(0.0);
   if (!joins()) scenario.observer = seat(scenario.observer, 0, 2, apart_m);
   play_.play(std::move(game));
-  room_.begin(false);
+  room_.begin(false, before != nullptr);
 }
 
 std::string CaveLink::join(Scenario& scenario) {
@@ -153,9 +156,9 @@ bool CaveLink::mayChoose(LiveSource& source) {
   return why.empty();
 }
 
-void settleLink(CaveOptions& options, SetupOptions& inputs) {
+void settleLink(CaveOptions& options, SetupOptions& inputs, bool wasLinked) {
   const Rig rig = readRig(inputs.rig);
-  const bool isPlain = !options.frames && !options.resume && !options.resumeOrNew && !options.lesson &&
+  const bool isPlain = !options.frames && (!options.resume || wasLinked) && !options.lesson &&
                        !options.hasClass && options.study.empty();
   if (options.link.empty() && rig.link && isPlain) options.link = rig.link->with;
   if (options.link.empty()) return;
@@ -171,7 +174,7 @@ void settleLink(CaveOptions& options, SetupOptions& inputs) {
   if (!options.playlist.empty())
     throw std::runtime_error("--link: the room that calls plays the other's games, expected no --playlist");
   options.scenario = fileOfGame(kTwoCities);
-  inputs.scenario.file = options.scenario;
+  inputs.scenario = {options.scenario, {}};
 }
 
 std::unique_ptr<CaveLink> openLink(SessionSetup& setup, const CaveOptions& options,
@@ -182,6 +185,9 @@ std::unique_ptr<CaveLink> openLink(SessionSetup& setup, const CaveOptions& optio
   auto link = std::make_unique<CaveLink>(setup.rig, inputs.rig.file, linkAddressOf(options.link));
   if (link->joins()) {
     link->wait();
+  } else if (options.resume) {
+    const auto before = hostedStrokesOf(options.session.value(), setup.scenario.billiard.pucks);
+    link->play(inputs.scenario, setup.scenario, &before);
   } else {
     link->play(inputs.scenario, setup.scenario);
   }

@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/commands/cave_options.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "app/journal/journal_news.h"
 #include "app/link/link_address.h"
 #include "app/link/link_line.h"
 #include "app/link/linked_play.h"
@@ -43,8 +45,9 @@ class CaveLink {
 
   /// Waits for an invitation, in a game in which time stands.
   void wait();
-  /// Begins a game for this room and who joins it. Puts the room in its seat.
-  void play(const InputFile& file, Scenario& scenario);
+  /// Begins a game for this room and who joins it. Puts the room in its seat. `before`: the strokes of a game
+  /// that goes on.
+  void play(const InputFile& file, Scenario& scenario, const std::vector<HandStroke>* before = nullptr);
   /// Begins the game of the invitation, which `scenario` is. Returns why it cannot be played here; empty if
   /// it can.
   std::string join(Scenario& scenario);
@@ -67,10 +70,11 @@ class CaveLink {
 };
 
 /// Settles with which room this one is linked, as the rig says or the options. A room that calls another
-/// plays that one's games.
-void settleLink(CaveOptions& options, SetupOptions& inputs);
+/// plays that one's games. `wasLinked`: the session that goes on, if one does, has linked games.
+void settleLink(CaveOptions& options, SetupOptions& inputs, bool wasLinked);
 
-/// Opens the link, if another room plays, and begins its game, or waits for that of the other.
+/// Opens the link, if another room plays, and begins its game or goes on with it, or waits for that of the
+/// other.
 std::unique_ptr<CaveLink> openLink(SessionSetup& setup, const CaveOptions& options,
                                    const SetupOptions& inputs);
 

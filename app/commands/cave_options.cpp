@@ -152,8 +152,6 @@ void addLink(CLI::App& command, const std::shared_ptr<CaveOptions>& options) {
           },
           ""))
       ->excludes(command.get_option("--frames"))
-      ->excludes(command.get_option("--resume"))
-      ->excludes(command.get_option("--resume-or-new"))
       ->excludes(command.get_option("--lesson"))
       ->excludes(command.get_option("--class"))
       ->excludes(command.get_option("--study"));

@@ -421,16 +421,21 @@ void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
                                        options.scenario.string(), options.playlist.string()));
 }
 
-/// Returns where a session with a study was: clocks and frames go on, while its last game is over. The next
-/// participant's lessons are further games of the file.
-Before beforeNextParticipant(const CaveOptions& options, SetupOptions& inputs) {
-  Before before = whatWas(*options.session);
-  inputs.rig = {before.facts.rig, before.facts.rigText};
-  if (!before.last) return before;
+/// Lets another game follow in the session file: clocks and frames go on, while its last game is over.
+void endItsGame(CaveOptions& options, Before& before) {
+  options.resume = false;
+  if (!before.last) return;
   before.last->lesson = {};
   before.last->switches = options.switches;
   before.last->views = options.views;
   before.last->lightSpeed_m_s = readScenario(options.scenario).billiard.lightSpeed_m_s;
+}
+
+/// Returns where a session with a study was. The next participant's lessons are further games of the file.
+Before beforeNextParticipant(CaveOptions& options, SetupOptions& inputs) {
+  Before before = whatWas(*options.session);
+  inputs.rig = {before.facts.rig, before.facts.rigText};
+  endItsGame(options, before);
   return before;
 }
 
@@ -438,10 +443,7 @@ Before beforeNextParticipant(const CaveOptions& options, SetupOptions& inputs) {
 /// was.
 Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   if (!options.session) return {};
-  if (!options.study.empty() && options.resume) {
-    options.resume = false;
-    return beforeNextParticipant(options, inputs);
-  }
+  if (!options.study.empty() && options.resume) return beforeNextParticipant(options, inputs);
   const std::filesystem::path name = namedToday(*options.session);
   if (options.resumeOrNew) {
     options.session = newestOf(name);
@@ -449,6 +451,10 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   }
   if (options.resume) try {
       Before before = whatWas(*options.session);
+      if (!options.link.empty() && !before.facts.isLinked)
+        throw std::runtime_error(fmt::format(
+            "session file {}: it has no linked game to go on with, expected one of carom cave --link",
+            options.session->string()));
       inputs.rig = {before.facts.rig, before.facts.rigText};
       inputs.scenario = {before.facts.scenario, before.facts.scenarioText};
       inputs.textSize = before.facts.textSize;
@@ -471,9 +477,10 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
 /// Settles on rank 0 where the session is written, whether it goes on, and with which games.
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
   Before before = settleSession(options, inputs);
-  settleLink(options, inputs);
+  settleLink(options, inputs, before.facts.isLinked);
   const bool isCaller = !options.link.empty() && !linkAddressOf(options.link).listens;
   if (!isCaller) takePlaylist(options, inputs);
+  if (isCaller && options.resume) endItsGame(options, before);  // the host's follows
   if (options.lesson && options.study.empty() && !options.scenario.empty() &&
       !readScenario(options.scenario).lesson) {
     throw std::runtime_error(fmt::format(

@@ -11,6 +11,11 @@ void drawLink(const ConsoleFrame& frame) {
   const LinkReport& link = *frame.status.link;
   const std::string other = link.other.empty() ? kNobody : link.other;
   heading(fmt::format(kHeading, link.room, other, kStates.at(static_cast<std::size_t>(link.state))).c_str());
+  if (link.staysOut) {
+    if (ImGui::Button(kJoinAgain)) frame.commands.emplace_back(SetLinked{true});
+  } else if (ImGui::Button(kLeave)) {
+    frame.commands.emplace_back(SetLinked{false});
+  }
   words(fmt::format(kRoundTrip, 1e3 * link.roundTrip.median_s, 1e3 * link.roundTrip.p99_s));
   words(fmt::format(kSlack, link.slack_s,
                     link.slack_s * frame.record.viewers.front().observer.headFromBoard.lightSpeed_m_s()));
@@ -20,6 +25,7 @@ void drawLink(const ConsoleFrame& frame) {
   words(fmt::format(kSame, link.sameUntil_s));
   words(fmt::format(kClocks, link.own_s, link.others_s));
   words(fmt::format(kApart, link.apart_m));
+  words(fmt::format(kTraffic, link.sent_kB_s, link.received_kB_s));
 }
 
 }  // namespace carom::console

@@ -77,7 +77,16 @@ void readPromises(SQLite::Database& database, LinkedGameRows& game) {
     game.knownUntil_s = std::min(game.knownUntil_s, promise.t_s);
 }
 
-void readHeads(SQLite::Database& database, std::int64_t firstOfGame, LinkedGameRows& game) {
+/// Returns the last frame of the run of the program that has this one. A run that was killed may lack its
+/// last moments, which the next one lives in another way.
+std::int64_t lastOfRun(SQLite::Database& database, std::int64_t frame) {
+  SQLite::Statement row(database, "SELECT min(first_frame) FROM run WHERE first_frame > ?");
+  row.bind(1, frame);
+  return row.executeStep() && !row.getColumn(0).isNull() ? row.getColumn(0).getInt64() - 1 : kLast;
+}
+
+void readHeads(SQLite::Database& database, std::int64_t firstOfGame, std::int64_t lastOfRun,
+               LinkedGameRows& game) {
   SQLite::Statement told = between(database,
                                    "SELECT viewer, t_s, x_m, y_m, z_m, proper_time_s FROM link_person "
                                    "WHERE number > 0 AND frame BETWEEN ? AND ? ORDER BY rowid",
@@ -87,7 +96,7 @@ void readHeads(SQLite::Database& database, std::int64_t firstOfGame, LinkedGameR
       between(database,
               "SELECT frame, name, t_s, x_m, y_m, z_m, proper_time_s FROM viewer WHERE frame "
               "BETWEEN ? AND ?",
-              firstOfGame, kLast);
+              firstOfGame, lastOfRun);
   while (head.executeStep()) game.heads[textOf(head, 1)][numbersOf(head, 2)] = head.getColumn(0).getInt64();
 }
 
@@ -112,16 +121,69 @@ void readTurns(SQLite::Database& database, std::int64_t first, std::int64_t last
   for (auto& [puck, turns] : game.turns) std::sort(turns.begin(), turns.end());
 }
 
+constexpr bool kQuiet = true;
+
+SQLite::Database openLinked(const std::filesystem::path& file) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READONLY, 1000);
+  if (!database.tableExists("link_note"))
+    throw std::runtime_error(fmt::format(
+        "session file {}: it has no linked game, expected one of carom cave --link", file.string()));
+  return database;
+}
+
+/// Expects that each room's strokes are numbered from 0 on.
+void expectNumbered(const std::vector<HandStroke>& strokes) {
+  std::array<std::vector<std::uint32_t>, 2> numbers;
+  for (const HandStroke& made : strokes) {
+    if (made.room >= numbers.size()) throw std::runtime_error("a stroke of a third room");
+    numbers[made.room].push_back(made.number);
+  }
+  for (std::vector<std::uint32_t>& ofRoom : numbers) {
+    std::ranges::sort(ofRoom);
+    for (std::uint32_t i = 0; i < ofRoom.size(); ++i)
+      if (ofRoom[i] != i) throw std::runtime_error(fmt::format("stroke {} of a room is not there", i));
+  }
+}
+
 }  // namespace
 
+std::vector<HandStroke> hostedStrokesOf(const std::filesystem::path& file, std::span<const Puck> pucks) try {
+  const SessionFile session(file, {}, kQuiet);
+  SQLite::Database database = openLinked(file);
+  std::vector<HandStroke> strokes;
+  const auto ends = session.frames();
+  if (!ends) return strokes;
+  const auto first = static_cast<std::int64_t>(ends->first), last = static_cast<std::int64_t>(ends->second);
+  if (between(database, "SELECT 1 FROM link WHERE room = 0 AND frame BETWEEN ? AND ? LIMIT 1", first, last)
+          .executeStep())
+    throw std::runtime_error(
+        "another room has hosted its newest game, expected --link with the address of that room");
+  for (const Stroke& stroke : session.strokes(pucks)) strokes.push_back({stroke});
+  // In the order of SessionFile::strokes.
+  SQLite::Statement row = between(database,
+                                  "SELECT room, number, viewer, CASE WHEN room > 0 THEN (SELECT person FROM "
+                                  "link_person AS told WHERE told.viewer = stroke.viewer LIMIT 1) END "
+                                  "FROM stroke WHERE frame BETWEEN ? AND ? ORDER BY frame, rowid",
+                                  first, last);
+  for (HandStroke& made : strokes) {
+    row.executeStep();
+    made.room = row.getColumn(0).getUInt();
+    made.number = row.getColumn(1).getUInt();
+    made.viewerName = textOf(row, 2);
+    made.viewer = std::min<std::size_t>(row.getColumn(3).getUInt(), kMostViewers - 1);
+    if (made.room == 0) made.viewer = session.viewerNamed(made.viewerName);
+  }
+  expectNumbered(strokes);
+  return strokes;
+} catch (const std::exception& error) {
+  const std::string words = error.what(), where = fmt::format("session file {}: ", file.string());
+  throw std::runtime_error(words.starts_with("session file") ? words : where + words);
+}
+
 std::vector<LinkedGameRows> linkedGamesOf(const std::filesystem::path& file) {
-  constexpr bool kQuiet = true;
   const SessionFile session(file, {}, kQuiet);  // refuses other files
   try {
-    SQLite::Database database(file.string(), SQLite::OPEN_READONLY, 1000);
-    if (!database.tableExists("link_note"))
-      throw std::runtime_error(fmt::format(
-          "session file {}: it has no linked game, expected one of carom cave --link", file.string()));
+    SQLite::Database database = openLinked(file);
     std::vector<LinkedGameRows> games = spansOf(database);
     const std::vector<SessionGame>& all = session.games();
     for (LinkedGameRows& game : games) {
@@ -129,8 +191,10 @@ std::vector<LinkedGameRows> linkedGamesOf(const std::filesystem::path& file) {
       const SessionGame& played = all[game.game - 1];
       const SessionGame* const next = game.game < all.size() ? &all[game.game] : nullptr;
       if (next) game.lastFrame = std::min(game.lastFrame, next->firstFrame - 1);
+      const std::int64_t ends = lastOfRun(database, game.firstFrame);
+      game.lastFrame = std::min(game.lastFrame, ends);
       readPromises(database, game);
-      readHeads(database, played.firstFrame, game);
+      readHeads(database, played.firstFrame, ends, game);
       readStrokes(database, played.firstFrame, next ? next->firstFrame - 1 : kLast, game);
       readTurns(database, played.firstEvent, next ? next->firstEvent - 1 : kLast, game);
     }

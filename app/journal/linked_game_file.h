@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "app/journal/journal_news.h"
 #include "engine/spacetime/event.h"
 
 namespace carom {
@@ -33,6 +35,11 @@ struct LinkedGameRows {
   std::map<std::int64_t, std::vector<Event>> promises;
   double knownUntil_s = 0.0;  ///< board time of the other's last promise
 };
+
+/// Reads the strokes of the newest game of a session file, for a room that hosts it again; `viewer` counts
+/// the people of each stroke's room. Throws std::runtime_error with the file's name if that cannot be done:
+/// it has no linked game, or that of another host.
+std::vector<HandStroke> hostedStrokesOf(const std::filesystem::path& file, std::span<const Puck> pucks);
 
 /// Reads the linked games of a session file. Throws std::runtime_error with the file's name if it cannot be
 /// read or has none.

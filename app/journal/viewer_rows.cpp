@@ -82,7 +82,9 @@ ViewerReader::ViewerReader(SQLite::Database& database, double lightSpeed_m_s)
           "FROM platform JOIN viewer USING(frame) WHERE frame = ? AND name = "
           "(SELECT value FROM session WHERE key = 'viewer')"),
       other_(database, fmt::format("SELECT frame, viewer{} FROM other_viewer WHERE frame = ? ORDER BY viewer",
-                                   namesOf<ViewerState>().text())) {}
+                                   namesOf<ViewerState>().text())) {
+  if (database.tableExists("link")) linked_.emplace(database, "SELECT 1 FROM link WHERE frame = ? LIMIT 1");
+}
 
 void ViewerReader::read(FrameRecord& record) {
   ViewerState& own = record.viewers.front();
@@ -110,7 +112,13 @@ void ViewerReader::read(FrameRecord& record) {
     putColumns(row, viewer);
     anotherPlays = anotherPlays || viewer.hasTurn != 0;
   }
-  own.hasTurn = record.viewerCount > 1 && !anotherPlays ? 1 : 0;
+  if (record.viewerCount < 2 || anotherPlays) return;
+  // Where there is another room, the turn is no one's here alone.
+  if (linked_) {
+    linked_->reset();
+    linked_->bind(1, static_cast<std::int64_t>(record.number));
+  }
+  own.hasTurn = linked_ && linked_->executeStep() ? 0 : 1;
 }
 
 }  // namespace carom

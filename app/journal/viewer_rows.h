@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -46,6 +47,7 @@ class ViewerReader {
  private:
   double lightSpeed_m_s_;
   SQLite::Statement first_, other_;
+  std::optional<SQLite::Statement> linked_;  ///< of files of linked rooms
 };
 
 }  // namespace carom

@@ -38,6 +38,11 @@ struct LineNews {
   std::string words;  ///< closed: why; opened: with whom
 };
 
+/// How much a line has carried.
+struct LineTraffic {
+  std::uint64_t sentBytes = 0, receivedBytes = 0;
+};
+
 /// A line as frames see it. No call waits.
 class Line {
  public:
@@ -52,11 +57,7 @@ class Line {
   /// Sends a reason, then closes the connection.
   virtual void close(std::uint64_t connection, const std::string& reason) = 0;
   virtual RoundTrip roundTrip(std::uint64_t connection) const = 0;
-};
-
-/// How much a line has carried.
-struct LineTraffic {
-  std::uint64_t sentBytes = 0, receivedBytes = 0;
+  virtual LineTraffic traffic() const = 0;
 };
 
 }  // namespace carom

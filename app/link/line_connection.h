@@ -46,7 +46,7 @@ class LineConnection {
     if (ended_.empty()) ended_ = std::move(why);
   }
 
-  const RoundTrips& roundTrips() const { return roundTrips_; }
+  const RoundTrip& roundTrip() const { return roundTrips_.now(); }
   LineTraffic traffic() const { return traffic_; }
 
  private:

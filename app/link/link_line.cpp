@@ -118,7 +118,7 @@ class LinkLine::Thread {
   RoundTrip roundTrip(std::uint64_t connection) const {
     const std::scoped_lock hold(mutex_);
     const auto found = known_.find(connection);
-    return found == known_.end() ? RoundTrip{} : found->second.roundTrips.now();
+    return found == known_.end() ? RoundTrip{} : found->second.roundTrip;
   }
   LineTraffic traffic() const {
     const std::scoped_lock hold(mutex_);
@@ -139,7 +139,7 @@ class LinkLine::Thread {
   };
   /// What frames may know of one.
   struct Known {
-    RoundTrips roundTrips;
+    RoundTrip roundTrip;
     LineTraffic traffic;
   };
 
@@ -221,7 +221,7 @@ void LinkLine::Thread::accept(LinkClock::time_point now) {
     const bool isFull =
         static_cast<std::size_t>(unproven) >= limits_.unproven || connections_.size() >= kMostConnections;
     if (isFull || !guard_.admits(called->from, now, limits_)) {
-      guard_.refused(called->from, isFull ? "too many call at once" : "it calls too often", now);
+      guard_.refused(called->from, isFull ? "too many calls at once" : "it calls too often", now);
       continue;
     }
     open(called->socket.release(), called->from, now);
@@ -270,7 +270,7 @@ void LinkLine::Thread::serve(LineConnection& connection, LinkClock::time_point n
   connection.write(limits_);
   const std::scoped_lock hold(mutex_);
   if (const auto found = known_.find(connection.number()); found != known_.end())
-    found->second = {connection.roundTrips(), connection.traffic()};
+    found->second = {connection.roundTrip(), connection.traffic()};
   if (news_.size() > kMostNews) connection.end("it sent more than is taken here");
 }
 

@@ -28,7 +28,7 @@ class LinkLine : public Line {
   void close(std::uint64_t connection, const std::string& reason) override;
   RoundTrip roundTrip(std::uint64_t connection) const override;
 
-  LineTraffic traffic() const;
+  LineTraffic traffic() const override;
   std::uint16_t port() const;  ///< on which it listens
 
  private:

@@ -230,6 +230,7 @@ void person(Wire& wire, PersonTold& told, LinkPerson& person) {
   wire.number(person.held);
   vector(wire, person.pull_m, kMostLinkPlace_m, "a pull (m)");
   wire.number(person.caroms);
+  wire.within(person.lastCarom, 0U, kMostStrokesTold, "a carom");
 }
 template <class Wire>
 void fields(Wire& wire, LinkPresent& message) {

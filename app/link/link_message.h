@@ -26,7 +26,7 @@
 
 namespace carom {
 
-inline constexpr std::uint32_t kLinkProtocol = 2;
+inline constexpr std::uint32_t kLinkProtocol = 3;
 /// The most bytes of a message, of a welcome, of its scenario, and of a name.
 inline constexpr std::size_t kMostLinkBytes = 64 << 10, kMostWelcomeBytes = 2 << 20;
 inline constexpr std::size_t kMostScenarioBytes = 256 << 10, kMostLinkName = 24;
@@ -79,6 +79,7 @@ struct LinkPerson {
   std::uint32_t held = 0;                   ///< the puck for which the cue is held, from 1 on; 0: none
   Vec3 pull_m{0.0};  ///< the way in which the cue would strike, room frame; 0: it is not drawn back
   std::uint32_t caroms = 0;
+  std::uint32_t lastCarom = 0;  ///< 1 + the number of their newest stroke that they saw become one; 0: none
 };
 /// A room after one of its frames.
 struct LinkPresent {

@@ -23,8 +23,10 @@ std::uint64_t anyNumber() {
   return number;
 }
 
+constexpr const char* kPlaysAlone = "its operator plays alone";
 constexpr double kMostAside_s = 3600.0;  // between the times of two rooms
 constexpr double kFreezes_s = 60.0;      // for all rooms at most
+constexpr int kMostStood = 3;            // times in a game that a room may stand still for too long
 
 }  // namespace
 
@@ -33,7 +35,13 @@ void LinkedPlay::hear(LinkClock::time_point now) {
   news_.clear();
   now_ = now;
   line_->take(news_);
-  for (const LineNews& news : news_) hear(news);
+  for (const LineNews& news : news_) {
+    if (!staysOut_)
+      hear(news);
+    else if (news.kind == LineNews::Kind::opened)
+      line_->close(news.connection, kPlaysAlone);
+  }
+  if (staysOut_ && state_ != LinkState::alone) part("gone", kPlaysAlone);
   lookWhetherGone(now);
   if (connection_) lastRoundTrip_ = line_->roundTrip(connection_);
 }
@@ -96,7 +104,7 @@ std::string LinkedPlay::refusalOf(const LinkHello& hello) const {
                        arithmetic_, hello.program, hello.arithmetic);
   if (hello.room == self_.room) return fmt::format("both rooms are named {}", hello.room);
   if (hello.viewers.empty()) return "it has no viewers";
-  if (banned_.contains(hello.room)) return "it broke a promise in this game";
+  if (banned_.contains(hello.room)) return "it broke a promise, or stood still too often, in this game";
   if (self_.hosts && !game_.whyNot.empty()) return game_.whyNot;
   const bool isBack = state_ == LinkState::playing && hello.game == number_ && hello.room == otherName_;
   const bool isThere = connection_ != 0 && std::chrono::duration<double>(now_ - presentAt_).count() < 2.0;
@@ -320,8 +328,10 @@ void LinkedPlay::lookWhetherGone(LinkClock::time_point now) {
   // Loading a game takes its time.
   const double most_s = state_ == LinkState::playing ? self_.gone_s : 10.0 * self_.gone_s;
   if (since_s(presentAt_) > most_s) return part("gone", fmt::format("it was not heard for {:.0f} s", most_s));
-  if (state_ == LinkState::playing && !settings_.isFrozen && since_s(movedAt_) > 2.0 * most_s)
+  if (state_ == LinkState::playing && !settings_.isFrozen && since_s(movedAt_) > 2.0 * most_s) {
+    if (++stood_ == kMostStood) banned_.insert(otherName_);
     return part("gone", fmt::format("its time stood still for {:.0f} s", 2.0 * most_s));
+  }
   if (differs_ && since_s(differsAt_) > most_s)
     return part("mismatch", fmt::format("the games differ in board second {}", *differs_ - 1));
   if (settings_.isFrozen && since_s(movedAt_) > kFreezes_s && self_.hosts) {

@@ -60,6 +60,7 @@ void LinkedPlay::play(LinkedGame game) {
   isBuiltAnew_ = false;
   number_ = 0;
   banned_.clear();
+  stood_ = 0;
   isInvited_ = isAccepted_ = false;
   settings_ = {};
   apart_m_ = self_.apart_m.value_or(0.0);
@@ -116,6 +117,10 @@ double LinkedPlay::pace(LinkClock::time_point now) const {
 double LinkedPlay::slack_s() const {
   if (!other_ || !own_) return 0.0;
   return carom::slack_s(nearest_m(), own_->reach_m(0), game_.billiard.lightSpeed_m_s);
+}
+
+double LinkedPlay::away_s() const {
+  return other_ && own_ ? nearest_m() / game_.billiard.lightSpeed_m_s : 0.0;
 }
 
 LinkStroke LinkedPlay::struck(std::uint32_t viewer, const Stroke& stroke) {

@@ -142,11 +142,16 @@ class LinkedPlay {
   /// Nothing before this board time can change any more.
   double final_s() const;
   double slack_s() const;  ///< until this room would have to wait for the other
+  double away_s() const;  ///< how long light takes between the nearest heads of both rooms, as they are known
   double apart_m() const { return apart_m_; }
   const LinkSelf& self() const { return self_; }
 
   /// Leaves the game and says so.
   void leave(const std::string& reason);
+  /// Plays alone from now on, or lets another room play again.
+  void stayOut(bool on) { staysOut_ = on; }
+  bool staysOut() const { return staysOut_; }
+  LineTraffic traffic() const { return line_->traffic(); }
 
  private:
   void hear(const LineNews& news);
@@ -219,7 +224,9 @@ class LinkedPlay {
   LinkClock::time_point presentAt_{}, movedAt_{}, differsAt_{}, now_{};
   double newest_s_ = 0.0;  ///< board time of its newest present
   bool isInvited_ = false;
-  std::set<std::string> banned_;  ///< rooms that broke a promise in this game
+  bool staysOut_ = false;         ///< by the operator's wish
+  std::set<std::string> banned_;  ///< rooms that broke a promise, or stood still too often, in this game
+  int stood_ = 0;                 ///< how often another room stood still for too long
   RoundTrip lastRoundTrip_;
   LinkSettings settings_;
   int settling_ = 0;  ///< frames for which settings from afar may take to be shown here

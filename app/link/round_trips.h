@@ -22,10 +22,13 @@ class RoundTrips {
     all_s_[next_] = round_s;
     next_ = (next_ + 1) % all_s_.size();
     count_ = std::min(count_ + 1, all_s_.size());
+    now_ = summary();
   }
   std::size_t count() const { return count_; }
-  RoundTrip now() const {
-    if (count_ == 0) return {};
+  const RoundTrip& now() const { return now_; }
+
+ private:
+  RoundTrip summary() const {
     std::array<double, kMost> sorted_s = all_s_;
     const auto end = sorted_s.begin() + static_cast<std::ptrdiff_t>(count_);
     std::sort(sorted_s.begin(), end);
@@ -39,10 +42,10 @@ class RoundTrips {
             static_cast<std::size_t>(stalls)};
   }
 
- private:
   static constexpr std::size_t kMost = 240;
   std::array<double, kMost> all_s_{};
   std::size_t next_ = 0, count_ = 0;
+  RoundTrip now_;  ///< of them all, which frames ask for more often than one is added
 };
 
 }  // namespace carom

@@ -84,6 +84,7 @@ struct Apply {
   }
   bool operator()(const ShowBestShot&) { return true; }
   bool operator()(const TellPerson&) { return true; }
+  bool operator()(const SetLinked&) { return true; }
   bool operator()(const Pause& c) { return set(settings.playback.paused, c.on); }
   bool operator()(const SetRate& c) { return set(settings.playback.rate, c.rate); }
   bool operator()(const Seek&) { return true; }
@@ -108,6 +109,7 @@ struct NameOf {
   std::string operator()(const KeepTaskBest&) { return "best of task"; }
   std::string operator()(const ShowBestShot&) { return "best shot"; }
   std::string operator()(const TellPerson&) { return "refused"; }
+  std::string operator()(const SetLinked&) { return "link"; }
   std::string operator()(const Pause&) { return "playback"; }
   std::string operator()(const SetRate&) { return "playback rate"; }
   std::string operator()(const Seek&) { return "playback"; }
@@ -137,6 +139,7 @@ struct ValueOf {
   }
   std::string operator()(const ShowBestShot&) { return "asked for"; }
   std::string operator()(const TellPerson& c) { return c.words; }
+  std::string operator()(const SetLinked& c) { return onOrOff(c.on); }
   std::string operator()(const Pause& c) { return c.on ? "paused" : "goes on"; }
   std::string operator()(const SetRate& c) { return fmt::format("{:g}", c.rate); }
   std::string operator()(const Seek& c) { return fmt::format("from {:.2f} s", c.session_s); }

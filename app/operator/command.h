@@ -94,6 +94,11 @@ struct TellPerson {
   std::string words;
   bool operator==(const TellPerson&) const = default;
 };
+/// Leaves the game with the other room, or lets it be joined again.
+struct SetLinked {
+  bool on;
+  bool operator==(const SetLinked&) const = default;
+};
 struct Pause {
   bool on;
   bool operator==(const Pause&) const = default;
@@ -110,7 +115,7 @@ struct Seek {
 using Command =
     std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, ShowConsole, SetEyeSeparation,
                  SetLightSpeed, ChooseInLesson, AdvanceLesson, StartTour, PlayScenario, WelcomeNextVisitor,
-                 KeepTaskBest, ShowBestShot, TellPerson, Pause, SetRate, Seek>;
+                 KeepTaskBest, ShowBestShot, TellPerson, SetLinked, Pause, SetRate, Seek>;
 using Commands = std::vector<Command>;
 
 /// Applies the command to the settings. Returns false if nothing changes: the setting has that value already,

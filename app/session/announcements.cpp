@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cave/texts/texts.h"
+#include "engine/base/log.h"
 
 namespace carom {
 namespace {
@@ -48,12 +49,14 @@ void Announcements::play() {
 
 void Announcements::say(std::string_view words, Decision& decision) {
   if (words.empty()) return;
+  log::note(words);
   for (StatusMessage& message : messages_) message.say(words, decision.frame.record.display_s);
   decision.notes.push_back({"notice", std::string(words)});
 }
 
 void Announcements::sayTo(std::size_t viewer, std::string_view words, Decision& decision) {
   if (words.empty()) return;
+  log::note(words);
   messages_[viewer].say(words, decision.frame.record.display_s);
   decision.notes.push_back({"notice", std::string(words), viewer});
 }

@@ -45,13 +45,17 @@ ToldMoment momentOf(const LinkPresent& message, std::size_t i, const Lorentz& bo
 
 }  // namespace
 
-void LinkedRoom::begin(bool isHall) {
+void LinkedRoom::begin(bool isHall, bool goesOn) {
   isHall_ = isHall;
   invitation_.reset();
   shown_.clear();
-  isFirst_ = true;
-  strokesIn_ = strokesOut_ = putOff_ = 0;
-  waited_s_ = waiting_ = 0.0;
+  turns_ = LinkedTurns(play_.room());
+  for (const LinkStroke& stroke : play_.strokes()) turns_.struck(stroke);
+  shownTurn_ = {};
+  own_ = {};
+  isFirst_ = !goesOn;
+  counted_ = {};
+  waited_s_ = 0.0;
   kept_ = "-";
 }
 
@@ -69,8 +73,11 @@ void LinkedRoom::say(const LinkNote& note, Announcements& announcements, Decisio
   decision.link.notes.push_back({play_.otherNumber(), note.what, note.value});
   log::note("link: " + words);
   const std::string& other = play_.otherName();
-  if (note.what == LinkNote::kPaired)
+  if (note.what == LinkNote::kPaired) {
+    turns_.joined(static_cast<std::uint32_t>(
+        std::ranges::count(play_.strokes(), 1U, [](const LinkStroke& stroke) { return stroke.room; })));
     announcements.say(fmt::format(texts::message::kLinkPaired, other), decision);
+  }
   if (note.what == LinkNote::kGone)
     announcements.say(fmt::format(texts::message::kLinkGone, other), decision);
   if (note.what == LinkNote::kBack)
@@ -103,7 +110,8 @@ void LinkedRoom::hear(Game& game, Announcements& announcements, Decision& decisi
     } catch (const std::invalid_argument& error) {
       log::warn(fmt::format("link: a stroke of {} is void: {}", play_.otherName(), error.what()));
     }
-    ++strokesIn_;
+    ++counted_.strokesIn;
+    turns_.struck(stroke);
     decision.link.strokes.push_back(rowOf(stroke));
   }
   for (const LinkNote& note : heard.notes) say(note, announcements, decision);
@@ -127,6 +135,8 @@ void LinkedRoom::show(const LinkPresent& present, FrameState& frame, LinkNews& n
   for (std::size_t i = 0; i < present.present.size; ++i) {
     ToldMoment moment = momentOf(present, i, boardFromRoom);
     moment.setName(play_.otherViewers().at(i));
+    if (const std::uint32_t carom = present.persons[i].lastCarom)
+      turns_.carom({present.room, static_cast<std::uint32_t>(i)}, carom - 1, moment.head);
     if (shown_[i].nameText().empty()) moment.kind = ToldKind::begins;
     shown_[i] = moment;
     frame.told.push_back(moment);
@@ -148,7 +158,7 @@ void LinkedRoom::showGone(FrameState& frame, LinkNews& news) {
 
 std::optional<ObserverViews> LinkedRoom::move(const Scenario& scenario, RoomMotion& room,
                                               const RoomStep& step) {
-  pace_ = 1.0;
+  counted_.pace = 1.0;
   const auto now = LinkClock::now();
   if (!isHall_ && !play_.own()) {
     if (const std::optional<double> begins_s = play_.begins_s(now)) {
@@ -165,7 +175,7 @@ std::optional<ObserverViews> LinkedRoom::move(const Scenario& scenario, RoomMoti
   const std::size_t viewers = room.viewers().size();
   bool isHurry = true;
   const auto isAllowed = [&](const ObserverViews& views) {
-    pace_ = std::exchange(isHurry, false) ? hurry : 1.0;
+    counted_.pace = std::exchange(isHurry, false) ? hurry : 1.0;
     for (std::size_t i = 0; i < viewers; ++i) {
       for (const EyeView& eye : views[i].all())
         if (!play_.allows(eye.observation)) return false;
@@ -175,21 +185,59 @@ std::optional<ObserverViews> LinkedRoom::move(const Scenario& scenario, RoomMoti
   return room.advanceIf(step, std::span(paces).subspan(hurry == 1.0 ? 1 : 0), isAllowed);
 }
 
-/// Returns where the other room is, and its people as their light tells of them.
+/// Takes the caroms that the people here have just seen.
+void LinkedRoom::lookAtCaroms(const FrameRecord& record) {
+  for (std::uint32_t i = 0; i < record.viewerCount; ++i) {
+    Own& own = own_[i];
+    const std::uint64_t before = std::exchange(own.caroms, record.viewers[i].score.caroms);
+    if (own.caroms <= before || own.stroke == 0) continue;
+    own.lastCarom = own.stroke;
+    turns_.carom({play_.room(), i}, own.lastCarom - 1, record.viewers[i].observer.middle.observation);
+  }
+}
+
+LinkedPlayer LinkedRoom::turn() const {
+  std::array<std::uint32_t, 2> people{};
+  people[play_.room()] = static_cast<std::uint32_t>(play_.self().viewers.size());
+  people[play_.otherNumber()] = static_cast<std::uint32_t>(play_.otherViewers().size());
+  return turns_.turn(people);
+}
+
+/// Returns a person's name; who has none is called as their room.
+std::string LinkedRoom::nameOf(const LinkedPlayer& player) const {
+  const bool isHere = player.room == play_.room();
+  const auto& names = isHere ? play_.self().viewers : play_.otherViewers();
+  const std::string& room = isHere ? play_.self().room : play_.otherName();
+  const bool isNamed = player.viewer < names.size() && names[player.viewer] != kUnnamed;
+  return isNamed ? names[player.viewer] : room;
+}
+
+/// Returns whose turn it is, the people of the other room as their light tells of them, and where they are.
 std::string LinkedRoom::markOf(const World& world, const Event& eye) const {
-  std::string words = fmt::format(texts::message::kLinkMark, play_.otherName(), play_.slack_s());
+  const bool isOwn = shownTurn_.room == play_.room() && play_.self().viewers.size() == 1;
+  std::string words =
+      isOwn ? texts::message::kLinkYourTurn : fmt::format(texts::message::kLinkTheirTurn, nameOf(shownTurn_));
+  // What would be cut is left out.
+  const auto add = [&](const std::string& more) {
+    if (words.size() + more.size() < Notice().text.size()) words += more;
+  };
   for (const ToldPath& path : world.people) {
     const auto seen =
         path.at([&](const Event& event) { return afterLightOf_s(event, eye, play_.lightSpeed_m_s()); });
     if (!seen) continue;
-    words += fmt::format(texts::message::kLinkPerson, seen->moment->nameText(), seen->properTime_s);
-    if (seen->moment->caroms > 0) words += fmt::format(texts::message::kLinkCaroms, seen->moment->caroms);
+    const LinkedPlayer player{play_.otherNumber(), static_cast<std::uint32_t>(seen->moment->person)};
+    add(fmt::format(texts::message::kLinkPerson, nameOf(player), seen->properTime_s, seen->moment->caroms,
+                    turns_.strokes(player)));
   }
+  add(fmt::format(texts::message::kLinkMark, play_.otherName(), play_.away_s()));
   return words;
 }
 
-void LinkedRoom::tellWaiting(bool waits, double step_s, const World& world, const Event& eye,
+void LinkedRoom::tellWaiting(bool waits, double step_s, const World& world, const FrameRecord& record,
                              Announcements& announcements) {
+  const Event& eye = record.viewers.front().observer.middle.observation;
+  lookAtCaroms(record);
+  turns_.look(eye, play_.lightSpeed_m_s());
   waited_s_ = waits ? waited_s_ + step_s : 0.0;
   std::string words;
   if (isHall_ || !play_.own()) {
@@ -199,18 +247,22 @@ void LinkedRoom::tellWaiting(bool waits, double step_s, const World& world, cons
     words = fmt::format(texts::message::kLinkStill, play_.otherName());
   } else if (play_.state() == LinkState::playing) {
     // Once a second is often enough for numbers.
-    const bool isRecent = kept_.starts_with(play_.otherName()) && frames_ % 60 != 0;
+    const bool isRecent = isMarked_ && frames_ % 60 != 0 && turn() == shownTurn_;
+    shownTurn_ = turn();
     words = isRecent ? kept_ : markOf(world, eye);
   }
+  isMarked_ = play_.state() == LinkState::playing && waited_s_ <= kNoticed_s;
   if (words == kept_) return;
   kept_ = words;
   announcements.keep(words);
 }
 
 HandStroke LinkedRoom::struck(std::size_t viewer, const Stroke& stroke, bool isPutOff) {
-  ++strokesOut_;
-  putOff_ += isPutOff ? 1 : 0;
+  ++counted_.strokesOut;
+  counted_.putOff += isPutOff ? 1 : 0;
   const LinkStroke made = play_.struck(static_cast<std::uint32_t>(viewer), stroke);
+  turns_.struck(made);
+  own_[viewer].stroke = made.told.number + 1;
   return {stroke, viewer, made.room, made.told.number, {}};
 }
 
@@ -219,7 +271,8 @@ void LinkedRoom::tell(const RoomMotion& room, const Game& game, const OperatorSe
   ++frames_;
   const FrameRecord& record = decision.frame.record;
   const double share = std::min(1.0, 1.0 / (60.0 * kMinute_s));
-  waiting_ += share * ((waits ? 1.0 : 0.0) - waiting_);
+  counted_.waiting += share * ((waits ? 1.0 : 0.0) - counted_.waiting);
+  measureTraffic(LinkClock::now());
   if (!play_.own()) return;
   const Viewers& viewers = room.viewers();
   std::array<Vec3, kMostViewers> hands_m{};
@@ -230,10 +283,12 @@ void LinkedRoom::tell(const RoomMotion& room, const Game& game, const OperatorSe
     const EyeView& middle = viewer.observer.middle;
     if (viewer.hand.shown) hands_m[i] = viewer.hand.from_m - middle.positionInRoom_m;
     const HeadEstimate& head = viewers.head(i);
-    persons[i] = {glm::normalize(head.pose.orientation * roomFromPerson_), head.celerity_m_s,
+    persons[i] = {glm::normalize(head.pose.orientation * roomFromPerson_),
+                  head.celerity_m_s,
                   static_cast<std::uint32_t>(viewer.hand.target),
                   viewer.hand.pulling ? viewer.hand.towards : Vec3(0.0),
-                  static_cast<std::uint32_t>(viewer.score.caroms)};
+                  static_cast<std::uint32_t>(viewer.score.caroms),
+                  own_[i].lastCarom};
     std::size_t eye = 3 * i;
     for (const EyeView& view : viewer.observer.all()) eyes[eye++] = view.observation;
   }
@@ -241,18 +296,29 @@ void LinkedRoom::tell(const RoomMotion& room, const Game& game, const OperatorSe
              std::span(eyes).first(3 * viewers.size()), waits, LinkClock::now());
   play_.compare(game.pucks());
   play_.tellSettings(settings.lightSpeed_m_s, settings.views.frozen != 0);
-  own_s_ = viewers.observers().properTime_s();
+  counted_.own_s = viewers.observers().properTime_s();
   addRows(decision);
 }
 
-void LinkedRoom::addRows(Decision& decision) const {
+void LinkedRoom::measureTraffic(LinkClock::time_point now) {
+  const double since_s = std::chrono::duration<double>(now - measured_.at).count();
+  if (since_s < 1.0) return;
+  const LineTraffic before = std::exchange(measured_, {play_.traffic(), now}).traffic;
+  const LineTraffic& all = measured_.traffic;
+  counted_.sent_kB_s = 1e-3 * static_cast<double>(all.sentBytes - before.sentBytes) / since_s;
+  counted_.received_kB_s = 1e-3 * static_cast<double>(all.receivedBytes - before.receivedBytes) / since_s;
+}
+
+/// Also of whose turn it is among those here: while there is another room, the walls say it of both.
+void LinkedRoom::addRows(Decision& decision) {
   const OtherRoom* const other = play_.other();
   if (!other) return;
+  for (ViewerState& viewer : decision.frame.record.present()) viewer.hasTurn = 0;
   const Present& present = other->present();
   for (std::size_t i = 0; i < present.size && i < play_.otherViewers().size(); ++i) {
     decision.link.rows.push_back({play_.otherNumber(), wordFor(play_.state()), other->newest().number,
                                   play_.roundTrip().median_s, present.persons[i].promise,
-                                  play_.otherViewers()[i], play_.own()->present().waits, pace_,
+                                  play_.otherViewers()[i], play_.own()->present().waits, counted_.pace,
                                   play_.sameUntil_s()});
   }
 }
@@ -264,20 +330,15 @@ std::string LinkedRoom::whyNotChoose() const {
 }
 
 LinkReport LinkedRoom::report() const {
-  LinkReport report;
+  LinkReport report = counted_;
   report.room = play_.self().room;
   report.other = play_.otherName();
   report.state = play_.state();
   report.roundTrip = play_.roundTrip();
   report.slack_s = play_.slack_s();
   report.apart_m = play_.apart_m();
-  report.pace = pace_;
-  report.waiting = waiting_;
-  report.strokesIn = strokesIn_;
-  report.strokesOut = strokesOut_;
-  report.putOff = putOff_;
+  report.staysOut = play_.staysOut();
   report.sameUntil_s = play_.sameUntil_s();
-  report.own_s = own_s_;
   if (play_.other()) report.others_s = play_.other()->newest().persons[0].properTime_s;
   return report;
 }

@@ -9,6 +9,7 @@
 
 #include "app/files/scenario.h"
 #include "app/link/linked_play.h"
+#include "app/link/linked_turns.h"
 #include "app/play/game.h"
 #include "app/session/announcements.h"
 #include "app/session/decision.h"
@@ -25,6 +26,8 @@ struct LinkReport {
   double pace = 1.0;     ///< how much faster this room lives than alone
   double waiting = 0.0;  ///< share of the last minute in which it did not live on
   std::uint64_t strokesIn = 0, strokesOut = 0, putOff = 0;
+  double sent_kB_s = 0.0, received_kB_s = 0.0;  ///< in the last second
+  bool staysOut = false;                        ///< the operator has left the game
   std::uint32_t sameUntil_s = 0;
   double own_s = 0.0, others_s = 0.0;  ///< the clocks of the first viewers, as far as they are known here
 };
@@ -39,15 +42,16 @@ class LinkedRoom {
         roomFromPerson_(glm::quat_cast(glm::dmat3(axes.right, axes.forward, axes.up))) {}
 
   /// Begins another game of this room; of one that joins and waits for an invitation, `isHall`: time stands.
-  void begin(bool isHall);
+  /// `goesOn`: the session file has its strokes so far.
+  void begin(bool isHall, bool goesOn = false);
 
   /// Plays the strokes that have come from afar, and says what has happened.
   void hear(Game& game, Announcements& announcements, Decision& decision);
   /// Lives on as far as the other room's promises allow. Returns nothing if the people here have to wait.
   std::optional<ObserverViews> move(const Scenario& scenario, RoomMotion& room, const RoomStep& step);
-  /// Says why the people wait, if they have waited for long enough to notice, or who is there as the first
-  /// viewer's `eye` sees them.
-  void tellWaiting(bool waits, double step_s, const World& world, const Event& eye,
+  /// Says why the people wait, if they have waited for long enough to notice, or whose turn it is and who is
+  /// there, as the first viewer of the frame's record sees it. `world`: as it was shown.
+  void tellWaiting(bool waits, double step_s, const World& world, const FrameRecord& record,
                    Announcements& announcements);
   /// Tells the other room of this frame, whose record has its viewers and hands. `waits`: the people did not
   /// live on.
@@ -65,6 +69,8 @@ class LinkedRoom {
   bool isLiving() const { return !isHall_ && play_.isLiving(); }
   /// Returns the game to which this room is invited, until another one begins.
   const std::optional<LinkWelcome>& invitation() const { return invitation_; }
+  /// Leaves the game with the other room, or lets it be joined again.
+  void stay(bool on) { play_.stayOut(!on); }
   /// Nothing before this board time can change any more.
   double final_s() const { return play_.final_s(); }
   /// The strokes of the game that came before this room joined.
@@ -78,9 +84,13 @@ class LinkedRoom {
  private:
   void show(const LinkPresent& present, FrameState& frame, LinkNews& news);
   void showGone(FrameState& frame, LinkNews& news);
+  void lookAtCaroms(const FrameRecord& record);
+  LinkedPlayer turn() const;
+  std::string nameOf(const LinkedPlayer& player) const;
   std::string markOf(const World& world, const Event& eye) const;
   void say(const LinkNote& note, Announcements& announcements, Decision& decision);
-  void addRows(Decision& decision) const;
+  void addRows(Decision& decision);
+  void measureTraffic(LinkClock::time_point now);
 
   HandStroke rowOf(const LinkStroke& stroke) const;
 
@@ -89,10 +99,22 @@ class LinkedRoom {
   glm::dquat roomFromPerson_;  ///< turns x right, y forward, z up
   std::optional<LinkWelcome> invitation_;
   std::vector<ToldMoment> shown_;  ///< the last moment of each of the people who are shown
-  bool isHall_ = false, isFirst_ = true;
+  LinkedTurns turns_{0};
+  LinkedPlayer shownTurn_;  ///< as the walls say it
+  struct Own {              ///< of a viewer here
+    std::uint64_t caroms = 0;
+    std::uint32_t stroke = 0,
+                  lastCarom = 0;  ///< 1 + number of the newest stroke, and of that which became one
+  };
+  std::array<Own, kMostViewers> own_{};
+  bool isHall_ = false, isFirst_ = true, isMarked_ = false;  ///< marked: the walls say who is there
   double waited_s_ = 0.0;
-  std::uint64_t frames_ = 0, strokesIn_ = 0, strokesOut_ = 0, putOff_ = 0;
-  double pace_ = 1.0, waiting_ = 0.0, own_s_ = 0.0;
+  std::uint64_t frames_ = 0;
+  LinkReport counted_;  ///< its counts and measurements; the rest is empty
+  struct Measured {
+    LineTraffic traffic;  ///< all until then
+    LinkClock::time_point at{};
+  } measured_;
   std::string said_, kept_;
 };
 

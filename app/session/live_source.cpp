@@ -51,6 +51,7 @@ void LiveSource::playAnew() {
 void LiveSource::next(const FrameTimes& given, const FrameInput& input, OperatorSettings& settings,
                       Decision& decision) {
   inputs_.follow(decision.frame.record);
+  if (const auto* linked = lastOf<SetLinked>(input.commands); linked && link_) link_->stay(linked->on);
   if (link_) link_->hear(game_, announcements_, decision);
   const FrameTimes times = begin(given, settings, decision.frame.record);
   announcements_.tellEffects(input.commands, decision);
@@ -71,10 +72,8 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   if (timePasses) Players::feel(world_, inputs_, decision.frame.record);
   players_.act(rules, room_.viewers(), inputs_, game_, announcements_, decision);
   if (timePasses) players_.see(world_, settings, announcements_, decision);
-  if (link_) {
-    const Event& eye = decision.frame.record.viewers.front().observer.middle.observation;
-    link_->tellWaiting(still && !stands, times.step_s, world_, eye, announcements_);
-  }
+  if (link_)
+    link_->tellWaiting(still && !stands, times.step_s, world_, decision.frame.record, announcements_);
   tell(input.commands, settings, stands, decision);
   playGame(settings, decision.frame);
   if (link_) link_->tell(room_, game_, settings, !timePasses, decision);

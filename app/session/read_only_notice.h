@@ -4,6 +4,7 @@
 #include "app/input/desk_input.h"
 #include "app/session/status_message.h"
 #include "cave/texts/texts.h"
+#include "engine/base/log.h"
 
 namespace carom {
 
@@ -12,7 +13,10 @@ class ReadOnlyNotice {
   void handled(const DeskInput& desk, double now_s) {
     const bool strikes = (desk.mouse && desk.mouseHeld) || desk.padHeld;
     const bool touched = strikes || desk.brake || desk.home || desk.steer != Vec3(0.0);
-    if (touched && !touched_) message_.say(texts::message::kReadOnly, now_s);
+    if (touched && !touched_) {
+      log::note(texts::message::kReadOnly);
+      message_.say(texts::message::kReadOnly, now_s);
+    }
     touched_ = touched;
   }
   /// Replaces the frame's own message while the notice is shown.

@@ -73,6 +73,8 @@ nlohmann::ordered_json linkOf(const LinkReport& link) {
           {"strokes_in", link.strokesIn},
           {"strokes_out", link.strokesOut},
           {"put_off", link.putOff},
+          {"sent_kB_s", link.sent_kB_s},
+          {"received_kB_s", link.received_kB_s},
           {"same_until_s", link.sameUntil_s},
           {"own_s", link.own_s},
           {"others_s", link.others_s}};

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "cave/record/notice.h"
-#include "engine/base/log.h"
 
 namespace carom {
 
@@ -14,9 +13,8 @@ inline constexpr double kNoticeShown_s = 4.0;
 
 class StatusMessage {
  public:
-  /// Shows the message in the room from now on, and logs it once.
+  /// Shows the message in the room from now on.
   void say(std::string_view words, double now_s) {
-    log::note(words);
     notice_ = Notice(words);
     until_s_ = now_s + kNoticeShown_s;
   }

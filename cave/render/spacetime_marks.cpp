@@ -13,6 +13,7 @@
 #include "cave/render/measure_marks.h"
 #include "cave/render/travelling_light.h"
 #include "cave/scene/person_model.h"
+#include "engine/linked/told.h"
 
 namespace carom {
 namespace {
@@ -203,7 +204,7 @@ void addPuckClocks(const MarkContext& sight, const MarkedBodies& marked, LabelLa
 
 void addPeopleClocks(const MarkContext& sight, std::size_t firstPerson, LabelLayout& crowd,
                      MarkBuffer& batch) {
-  constexpr double kAboveEyes_m = 0.24;
+  constexpr double kAboveEyes_m = 0.24, kBetweenPlates_m = 0.012;
   const Resting resting(sight);
   for (const ToldView& person : sight.people) {
     const std::size_t number = person.moment->person, body = firstPerson + kBodiesOfPerson * number;
@@ -213,9 +214,16 @@ void addPeopleClocks(const MarkContext& sight, std::size_t firstPerson, LabelLay
     const Vec3 foot_m = above_m + Vec3(0.0, 0.0, crowd.raise_m(plate));
     const glm::dvec3 top_m = OnBody(sight, sight.bodies[body], ViewTime::seen)(foot_m);
     const glm::vec4 colour(codeOf(glm::max(kCoatColours[number], glm::vec3(0.08F))), 1.0F);
-    addPlate(batch, sight, plate, colour, [&](const Vec3& offset_m) {
+    const auto draw = [&](const Vec3& offset_m) {
       return top_m + resting(plate.foot_m + offset_m) - resting(plate.foot_m);
-    });
+    };
+    addPlate(batch, sight, plate, colour, draw);
+    if (person.moment->nameText() == kUnnamed) continue;
+    StandingPlate name = plate;
+    name.text = plateText(person.moment->nameText());
+    name.shape = PlateShape::flag;
+    const Vec3 higher_m(0.0, 0.0, kBetweenPlates_m + plate.height_m());
+    addPlate(batch, sight, name, colour, [&](const Vec3& offset_m) { return draw(higher_m + offset_m); });
   }
 }
 

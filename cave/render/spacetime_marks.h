@@ -44,7 +44,7 @@ void addPuckClocks(const MarkContext& sight, const MarkedBodies& marked, LabelLa
                    MarkBuffer& batch);
 
 /// Adds a clock above the head of each person of another room, in the colour of their coat: their own time
-/// where the light left that is seen. `firstPerson`: as in Scene.
+/// where the light left that is seen; and above it their name, if they have one. `firstPerson`: as in Scene.
 void addPeopleClocks(const MarkContext& sight, std::size_t firstPerson, LabelLayout& crowd,
                      MarkBuffer& batch);
 

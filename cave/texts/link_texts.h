@@ -16,6 +16,8 @@ inline constexpr Text kPace = "Pace: {:.2f}    waited in the last minute: {:.1f}
 inline constexpr Text kStrokes = "Strokes: {} in, {} out, {} of them put off";
 inline constexpr Text kSame = "The same game up to {} s";
 inline constexpr Text kClocks = "Clocks: {:.1f} s here, {:.1f} s there, as far as is known";
+inline constexpr Text kTraffic = "Line: {:.1f} kB/s out, {:.1f} kB/s in";
+inline constexpr Text kLeave = "Leave the game", kJoinAgain = "Play together again";
 inline constexpr Text kApart = "Moved apart for the line: {:.2f} m";
 inline constexpr Text kTip =
     "Slack is how much later news may come before this room has to wait. Light on this table is slower than "

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "engine/base/limits.h"
 #include "engine/billiard/billiard_setup.h"
@@ -13,6 +14,9 @@ namespace carom {
 
 /// The most strokes of a room in one game.
 inline constexpr std::uint32_t kMostStrokesTold = 20000;
+
+/// The name of a person to whom no rig gives one.
+inline constexpr std::string_view kUnnamed = "viewer";
 
 /// A person at the moment of a present. Board events.
 struct PersonTold {

@@ -130,6 +130,88 @@ TEST(LinkedGameFile, APersonWhoIsImpossibleIsRefused) {
   }
 }
 
+/// Writes a linked game in which `host` hosted: strokes of both rooms, with these numbers of those of the
+/// other.
+void writeStrokes(const std::filesystem::path& file, std::uint32_t host,
+                  std::span<const std::uint32_t> others) {
+  SessionFacts facts = kFacts;
+  facts.pucks = {"white", "red"};
+  facts.isLinked = true;
+  Journal journal(file, facts, false);
+  for (std::uint64_t frame = 0; frame < 10; ++frame) {
+    LinkNews news = newsOf(frame);
+    news.strokes.clear();
+    news.rows[0].room = news.persons[0].room = 1 - host;
+    news.persons[0].moment.person = 1;
+    std::vector<HandStroke> made;
+    const Stroke stroke{
+        frame % 2, 0.5 + 0.1 * static_cast<double>(frame), Vec3(1.0 / 3.0, 0.0, 0.5), {0.1, -0.2}, 0.01};
+    if (frame < others.size()) news.strokes.push_back({stroke, 0, 1 - host, others[frame], "anna"});
+    if (frame == 5 || frame == 7) made.push_back({stroke, 0, host, frame == 7 ? 1U : 0U, {}});
+    journal.add(frameOf(frame), head(), {}, made, news);
+  }
+}
+
+std::vector<Puck> twoPucks() {
+  std::vector<Puck> pucks(2);
+  pucks[0].name = "white";
+  pucks[1].name = "red";
+  for (Puck& puck : pucks) {
+    puck.mass_kg = 0.2;
+    puck.radius_m = 0.03;
+  }
+  return pucks;
+}
+
+TEST(LinkedGameFile, AHostFindsTheStrokesOfBothRoomsAgain) {
+  const NothingIsLogged silence;
+  TemporaryFolder folder;
+  const auto file = folder / "grenoble.db";
+  const std::array<std::uint32_t, 3> numbers{0, 1, 2};
+  writeStrokes(file, 0, numbers);
+  const std::vector<Puck> pucks = twoPucks();
+  const std::vector<HandStroke> strokes = hostedStrokesOf(file, pucks);
+  const std::vector<Stroke> plain = SessionFile(file, {}, true).strokes(pucks);
+  ASSERT_EQ(strokes.size(), 5U);
+  ASSERT_EQ(plain.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(strokes[i].stroke.at_s, plain[i].at_s);
+    EXPECT_EQ(strokes[i].stroke.puck, plain[i].puck);
+    EXPECT_EQ(strokes[i].room, i < 3 ? 1U : 0U);
+    EXPECT_EQ(strokes[i].number, i < 3 ? i : i - 3);
+    EXPECT_EQ(strokes[i].viewer, i < 3 ? 1U : 0U) << "of the people of their room";
+  }
+}
+
+/// Returns what is said of a file that cannot be hosted again.
+std::string refusalOf(const std::filesystem::path& file) {
+  const std::vector<Puck> pucks = twoPucks();
+  try {
+    (void)hostedStrokesOf(file, pucks);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(LinkedGameFile, WhatCannotBeHostedAgainIsRefusedInWords) {
+  const NothingIsLogged silence;
+  TemporaryFolder folder;
+  const auto plain = folder / "plain.db", joined = folder / "lyon.db", broken = folder / "broken.db";
+  writeTo(plain, false);
+  const std::array<std::uint32_t, 3> all{0, 1, 2}, gap{0, 2, 3};
+  writeStrokes(joined, 1, all);
+  writeStrokes(broken, 0, gap);
+  const auto expect = [](const std::filesystem::path& file, const char* words) {
+    const std::string said = refusalOf(file);
+    EXPECT_TRUE(said.starts_with("session file " + file.string() + ": ")) << said;
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  };
+  expect(plain, "it has no linked game, expected one of carom cave --link");
+  expect(joined, "another room has hosted its newest game");
+  expect(broken, "stroke 1 of a room is not there");
+}
+
 TEST(LinkedGameFile, ASessionWithoutALinkHasNoneOfItsTables) {
   const NothingIsLogged silence;
   TemporaryFolder folder;

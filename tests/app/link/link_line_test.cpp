@@ -14,6 +14,7 @@
 #include "app/link/link_socket.h"
 #include "app/link/sample_messages.h"
 #include "app/link/tls_stream.h"
+#include "log_lines.h"
 
 namespace carom::test {
 namespace {
@@ -304,6 +305,45 @@ TEST(LinkLine, SilenceAndHostsWithoutANameAreCalledAgain) {
   End lost({false, "no-such-host.invalid", 7314});
   std::this_thread::sleep_for(milliseconds(100));
   EXPECT_EQ(lost.newest(), 0U);
+}
+
+/// Returns what is said of a call that nobody answers as another room does.
+std::string saidOf(
+    const LinkAddress& address, const std::function<void()>& meanwhile = [] {}) {
+  const LogLines lines;
+  End lost(address);
+  comes([&] {
+    meanwhile();
+    return !lines.said().empty();
+  });
+  EXPECT_EQ(lost.newest(), 0U);
+  return lines.said().empty() ? "" : lines.said()[0];
+}
+
+TEST(LinkLine, SaysWhyNobodyAnswers) {
+  const auto expect = [](const std::string& said, const std::string& host, const char* why) {
+    EXPECT_TRUE(said.starts_with("link: " + host)) << said;
+    EXPECT_NE(said.find(" does not answer: " + std::string(why)), std::string::npos) << said;
+    EXPECT_TRUE(said.ends_with("It is called again.")) << said;
+  };
+  expect(saidOf({false, "no-such-host.invalid", 7314}), "no-such-host.invalid:7314", "");
+  std::uint16_t port = 0;
+  {
+    const LinkSocket free = listenAt({true, "127.0.0.1", 0});
+    port = portOf(free);
+  }
+  expect(saidOf({false, "127.0.0.1", port}), "127.0.0.1", "Connection refused");
+  const LinkSocket silent = listenAt({true, "127.0.0.1", 0});
+  expect(saidOf({false, "127.0.0.1", portOf(silent)}), "127.0.0.1", "it has not proven the key in time");
+  const LinkSocket speaks = listenAt({true, "127.0.0.1", 0});
+  std::vector<Called> called;
+  const std::string greets = "SSH-2.0-OpenSSH_9.2\r\n";
+  const auto greet = [&] {
+    if (auto next = nextCaller(speaks)) called.push_back(std::move(*next));
+    for (const Called& one : called)
+      if (send(*one.socket, greets.data(), greets.size(), MSG_NOSIGNAL) < 0) continue;
+  };
+  expect(saidOf({false, "127.0.0.1", portOf(speaks)}, greet), "127.0.0.1", "it has not proven the key.");
 }
 
 TEST(LinkLine, ABrokenLineIsCalledAgain) {

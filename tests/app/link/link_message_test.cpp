@@ -137,7 +137,7 @@ TEST(LinkMessage, RefusesWhatIsTooLong) {
 TEST(LinkMessage, RefusesOtherProtocolsAndProgramsByName) {
   Bytes other = bytesOf(test::sampleMessages()[0]);
   other[10] = 1;
-  EXPECT_EQ(refusal(other), "it sent a protocol of 1, expected 2 to 2");
+  EXPECT_EQ(refusal(other), "it sent a protocol of 1, expected 3 to 3");
   other[6] = 'X';
   EXPECT_EQ(refusal(other), "it is no carom");
 }

@@ -55,6 +55,7 @@ class FakeLine : public Line {
   void take(std::vector<LineNews>& news) override {
     while (!arrived_.empty() && arrived_.front().at_s <= now_s_) {
       news.push_back(arrived_.front().news);
+      news.back().at -= std::chrono::seconds(clockLate_s);
       arrived_.pop_front();
     }
   }
@@ -79,6 +80,7 @@ class FakeLine : public Line {
   RoundTrip roundTrip(std::uint64_t) const override {
     return {2.0 * late_s_, 2.0 * late_s_, 2.0 * late_s_, 10, 2.0 * late_s_, 0};
   }
+  LineTraffic traffic() const override { return {}; }
   /// Ends the connection that the other end has closed.
   void look() {
     if (endAt_s_ < 0.0 || now_s_ < endAt_s_) return;
@@ -92,6 +94,7 @@ class FakeLine : public Line {
   }
 
   bool isSilent = false;
+  int clockLate_s = 0;        ///< of the computer
   Random* repeats = nullptr;  ///< ten messages of before follow each
   std::size_t repeated = 0;
   std::function<void(LinkMessage&)> change;
@@ -135,7 +138,7 @@ class Room {
   }
 
   void frame(double now_s) {
-    const auto now = timeOf(now_s);
+    const auto now = timeOf(now_s - clockLate_s);
     play.hear(now);
     for (const LinkNote& note : play.heard().notes) notes.push_back(note);
     for (const LinkStroke& stroke : play.heard().strokes) {
@@ -178,6 +181,7 @@ class Room {
   int invitations = 0;
   bool strikes = true, isFrozen = false;
   double c_m_s = kC_m_s;
+  int clockLate_s = 0;
   double bend = 0.0;  ///< the first turn after this board time is another one in its last bit
   double bent_s = 0.0;
   std::string bentName;
@@ -379,6 +383,64 @@ TEST(LinkedPlay, WhoIsSilentIsGoneAndJoinsANewGame) {
   two.expectOneGame();
 }
 
+// A computer that sleeps for an hour: its clock stands with it, or goes on. When it wakes it joins a new
+// game, or lets the other join one.
+TEST(LinkedPlay, WhoSleepsForAnHourIsGoneAndPlaysANewGameWhenItWakes) {
+  for (const bool isHost : {false, true}) {
+    for (const bool isClockAsleep : {false, true}) {
+      SCOPED_TRACE((isHost ? "the host sleeps" : "who has joined sleeps") +
+                   std::string(isClockAsleep ? ", and its clock" : ""));
+      Two two(0.1);
+      two.play(10.0);
+      Room& awake = isHost ? two.joiner : two.host;
+      Room& asleep = isHost ? two.host : two.joiner;
+      for (FakeLine& line : two.lines) line.isSilent = true;
+      for (int second = 0; second < 3600; ++second) {
+        two.now_s += 1.0;
+        for (FakeLine& line : two.lines) line.look();
+        awake.frame(two.now_s);
+      }
+      EXPECT_TRUE(awake.has("gone"));
+      EXPECT_EQ(awake.play.state(), LinkState::alone);
+      EXPECT_EQ(asleep.play.state(), LinkState::playing) << "it knows of nothing yet";
+      const double then_s = awake.board_s();
+      EXPECT_GT(then_s, 40.0) << "who is awake plays on";
+      for (FakeLine& line : two.lines) line.isSilent = false;
+      asleep.clockLate_s = two.lines[isHost ? 0 : 1].clockLate_s = isClockAsleep ? 3600 : 0;
+      asleep.frame(two.now_s);
+      two.cut();  // as a line does that nobody has served for an hour
+      two.play(15.0);
+      EXPECT_TRUE(isHost || two.host.board_s() > then_s);
+      EXPECT_EQ(two.joiner.invitations, 2);
+      EXPECT_EQ(two.host.notes.back().what, "paired") << two.host.notes.back().value;
+      two.expectOneGame();
+    }
+  }
+}
+
+// Whose operator leaves the game plays alone, however often the other calls, until they let it play again.
+TEST(LinkedPlay, WhoseOperatorLeavesPlaysAloneUntilTheyComeBack) {
+  for (const bool isHost : {false, true}) {
+    SCOPED_TRACE(isHost);
+    Two two(0.1);
+    two.play(10.0);
+    Room& leaves = isHost ? two.host : two.joiner;
+    const double then_s = two.host.board_s();
+    leaves.play.stayOut(true);
+    two.play(10.0);
+    for (const Room* room : {&two.host, &two.joiner}) {
+      EXPECT_EQ(room->play.state(), LinkState::alone);
+      EXPECT_TRUE(room->has("gone"));
+      EXPECT_GT(room->board_s(), then_s + 8.0) << "both play on";
+    }
+    EXPECT_EQ(two.joiner.invitations, 1);
+    leaves.play.stayOut(false);
+    two.play(10.0);
+    EXPECT_EQ(two.joiner.invitations, 2);
+    two.expectOneGame();
+  }
+}
+
 TEST(LinkedPlay, WhoIsLeftAlonePlaysOn) {
   Two two(0.1);
   two.play(10.0);
@@ -438,7 +500,8 @@ TEST(LinkedPlay, WhoBreaksAPromiseIsRefused) {
   two.play(10.0);
   EXPECT_EQ(two.host.fromAfar, heard);
   EXPECT_TRUE(std::ranges::any_of(two.host.notes, [](const LinkNote& note) {
-    return note.what == "refused" && note.value.find("it broke a promise in this game") != std::string::npos;
+    return note.what == "refused" &&
+           note.value.find("it broke a promise, or stood still too often, in this game") != std::string::npos;
   }));
   EXPECT_EQ(two.host.play.state(), LinkState::alone);
   EXPECT_EQ(two.joiner.play.state(), LinkState::alone);
@@ -462,6 +525,34 @@ TEST(LinkedPlay, WhoStrikesAsNobodyCanIsRefused) {
   two.play(1.0);
   EXPECT_LE(two.host.fromAfar, 41U);
   EXPECT_TRUE(two.host.has("refused"));
+}
+
+// Who tells the same moment again and again stops the other for a while, three times in a game at most.
+TEST(LinkedPlay, WhoseTimeStandsStillIsGoneAndAfterThreeTimesNotLetInAgain) {
+  Two two(0.1);
+  std::optional<LinkPresent> stands;
+  two.lines[1].change = [&](LinkMessage& message) {
+    auto* present = std::get_if<LinkPresent>(&message);
+    if (!present) return;
+    if (two.host.play.state() != LinkState::playing) return stands.reset();
+    if (!stands) stands = *present;
+    stands->present.number = present->present.number;
+    stands->present.strokes = present->present.strokes;
+    *present = *stands;
+  };
+  two.joiner.strikes = false;
+  const auto gone = [&] {
+    return std::ranges::count_if(two.host.notes, [](const LinkNote& note) {
+      return note.what == "gone" && note.value.find("its time stood still for 12 s") != std::string::npos;
+    });
+  };
+  for (int i = 0; i < 120 && !two.host.has("refused"); ++i) two.play(1.0);
+  EXPECT_EQ(gone(), 3) << (two.host.notes.empty() ? ""
+                                                  : two.host.notes.back().what + two.host.notes.back().value);
+  EXPECT_TRUE(std::ranges::any_of(two.host.notes, [](const LinkNote& note) {
+    return note.what == "refused" && note.value.find("stood still too often") != std::string::npos;
+  }));
+  EXPECT_EQ(two.host.play.state(), LinkState::alone);
 }
 
 TEST(LinkedPlay, ATimeFarFromOursIsRefused) {

@@ -27,8 +27,8 @@ inline LinkPresent samplePresent() {
                                   {t_s + 0.5, Vec3(1.1, 2.0, 0.9)},
                                   {t_s + 0.5, Vec3(1.2, 2.25, 0.9)},
                                   t_s - 1.0};
-    message.persons[i] = {glm::angleAxis(0.5, Vec3(0.0, 0.0, 1.0)), Vec3(0.5, 0.0, -0.25), 3,
-                          Vec3(0.1, 0.0, 0.2), 7};
+    message.persons[i] = {
+        glm::angleAxis(0.5, Vec3(0.0, 0.0, 1.0)), Vec3(0.5, 0.0, -0.25), 3, Vec3(0.1, 0.0, 0.2), 7, 2};
   }
   message.boardFromRoom = (Lorentz::boost(Vec3(0.3, -0.4, 0.0), 1.42) *
                            Lorentz::rotation(glm::angleAxis(1.0, Vec3(0.0, 0.0, 1.0)), 1.42))

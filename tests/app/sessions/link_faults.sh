@@ -24,7 +24,16 @@ rig() { # KEYS OF [link] …
 "$carom" link --new-key "$out/room.key" >/dev/null || fail "no key is made"
 rig 'name = "lyon"' 'key = "room.key"'
 expect "frames in simulated time" 2 "--link|--frames" $(cave --link listen:127.0.0.1:17314 --frames 3)
-expect "a session that goes on" 2 "--link|--resume" $(cave --link listen:127.0.0.1:17314 --resume)
+"$carom" cave --no-window --silent --rig "$out/rig.toml" --scenario two-cities --frames 3 --session "$out/plain.db" 2>/dev/null ||
+  fail "a session without a link"
+for link in listen:127.0.0.1:17314 localhost:17314; do
+  timeout 60 "$carom" cave --no-window --silent --link "$link" --resume --session "$out/plain.db" 2>"$out/stderr"
+  if [ $? -ne 1 ] || ! grep -q "plain.db: it has no linked game to go on with, expected one of carom cave --link" "$out/stderr"; then
+    echo "FAILED: --link $link with --resume of a session without a link; it said:"
+    cat "$out/stderr"
+    failures=$((failures + 1))
+  fi
+done
 expect "a lesson" 1 "it is a lesson" $(cave --link listen:127.0.0.1:17314 --scenario twins)
 expect "a gas" 1 "collision_event = .contact.|it has [0-9]+ pucks, expected 200 at most" $(cave --link listen:127.0.0.1:17314 --scenario gas)
 expect "soft pucks" 1 "it has soft pucks" $(cave --link listen:127.0.0.1:17314 --scenario jellies)
@@ -46,6 +55,9 @@ chmod 0600 "$out/room.key"
 tr '0123456789' '1234567890' <"$out/room.key" >"$out/typed.key" && chmod 0600 "$out/typed.key"
 rig 'name = "lyon"' 'key = "typed.key"'
 expect "a key that was mistyped" 1 "typed.key.*check letters" $(cave --link listen:127.0.0.1:17314)
+head -c 12 "$out/room.key" >"$out/short.key" && chmod 0600 "$out/short.key"
+rig 'name = "lyon"' 'key = "short.key"'
+expect "a key that is too short" 1 "short.key.*it has [0-9]+ letters, expected 28" $(cave --link listen:127.0.0.1:17314)
 rig 'name = "lyon"' 'key = "none.key"'
 expect "no key" 1 "none.key" $(cave --link listen:127.0.0.1:17314)
 cp "$config/rigs/single-screen.toml" "$out/rig.toml"

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "cave/render/spacetime_marks.h"
 #include "cave/scene/person_model.h"
 #include "cave/scene/scene_builder.h"
+#include "engine/linked/told.h"
 
 namespace carom {
 namespace {
@@ -103,6 +105,31 @@ TEST_F(PeopleView, WithoutRetardationTheyStandWhereTheyWereLastToldOf) {
   EXPECT_EQ(people.people[1].head.r_m, paths[1].moments().back().head.r_m);
   const Vec3 expected_m = people.people[1].head.r_m - eye.observation.r_m;
   EXPECT_LT(glm::distance(seen(bodyOf(scene, 1, PersonBody::head), Vec3(0.0)), expected_m), 1e-9);
+}
+
+// The clock of each, and above it the name of who has one.
+TEST_F(PeopleView, ANameStandsAboveTheClock) {
+  observer.headFromBoard = Lorentz(kC_m_s);
+  observer.middle = eye;
+  for (std::size_t person = 0; person < 2; ++person) {
+    ToldMoment last = paths[person].moments().back();
+    last.setName(person == 0 ? std::string_view("Anna") : kUnnamed);
+    last.kind = ToldKind::begins;
+    paths[person].add(last);
+  }
+  eye.observation.t_s = observer.middle.observation.t_s = 20.0;
+  const SeenPeople people = viewPeople(scene, paths, {}, observer, eye, bodies);
+  MarkContext sight{observer, eye, {}, {}, 0, {}, bodies, {}, {}};
+  sight.people = people.all();
+  LabelLayout crowd(sight);
+  MarkBuffer batch;
+  addPeopleClocks(sight, scene.firstPerson, crowd, batch);
+  constexpr std::size_t kCorners = 24;  // of a plate
+  ASSERT_EQ(batch.corners().size(), 3 * kCorners);
+  const auto middle_m = [&](std::size_t plate) { return glm::vec3(batch.corners()[plate * kCorners].plate); };
+  EXPECT_LT(std::abs(middle_m(1).x - middle_m(0).x) + std::abs(middle_m(1).y - middle_m(0).y), 1e-6);
+  EXPECT_GT(middle_m(1).z - middle_m(0).z, StandingPlate::kPlateHeight_m);
+  EXPECT_GT(middle_m(0).z, people.people[0].head.r_m.z - eye.observation.r_m.z + 0.2);
 }
 
 }  // namespace
