@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # people.sh CAROM CONFIG: several people in one room. One [[viewer]] is what [head] is, row for row and byte for byte.
 # Two and three people who walk as recorded, without thrust and with thrust to half the lapse: people.py proves their
-# clocks from the session file alone. Two people's pictures are the same on 1, 2 and 4 processes, and a replay as
-# either of them shows their pictures again.
+# clocks from the session file alone. Two people's pictures, with both people's presents in the spacetime that
+# stands in the room, are the same on 1, 2 and 4 processes, and a replay as either of them shows their pictures again.
 . "$(dirname "$0")/../../session.sh"
 set -e
 here=$(dirname "$(readlink -f "$0")")
@@ -36,7 +36,7 @@ sed "$small" "$config/rigs/desk-two.toml" |
   awk '/^\[\[wall\]\]/ { n++ } { print } /^stereo =/ { print "node = " (n - 1) % 4 }' >"$out/desk-two.toml"
 for ranks in 1 2 4; do
   quietly mpirun --allow-run-as-root --oversubscribe -n "$ranks" "$carom" cave --rig "$out/desk-two.toml" --frames 6 \
-    --view my-now --view clocks --session "$out/ranks-$ranks.db" --capture "$out/ranks-$ranks" --no-window
+    --view my-now --view clocks --view spacetime --session "$out/ranks-$ranks.db" --capture "$out/ranks-$ranks" --no-window
 done
 pictures=$(find "$out/ranks-1" -name '*.png' | wc -l)
 [ "$pictures" -eq 96 ] || fail "expected 2 people x 4 walls x 2 eyes x 6 frames = 96 pictures, found $pictures"
