@@ -89,10 +89,13 @@ class Pen {
     batch_.addDisc(middle, radius_m, colour);
     if (text) plate(middle + up_ * (1.4 * radius_m), *text, shape, colour);
   }
-  /// Adds an upright plate that faces the eye, its lower border's middle at a place.
-  void plate(const glm::dvec3& foot, const PlateText& text, PlateShape shape, const glm::vec4& colour) {
-    const double height_m = kFlag_m * std::clamp(glm::length(foot), 0.5, 4.0);
-    const glm::dvec3 across = 0.6 * height_m * placesAcross(text, shape) * rightOf(foot);
+  /// Adds an upright plate that faces the eye, its lower border's middle at a place, or by so many of its
+  /// widths to the right of it.
+  void plate(const glm::dvec3& place, const PlateText& text, PlateShape shape, const glm::vec4& colour,
+             double aside = 0.0) {
+    const double height_m = kFlag_m * std::clamp(glm::length(place), 0.5, 4.0);
+    const glm::dvec3 across = 0.6 * height_m * placesAcross(text, shape) * rightOf(place);
+    const glm::dvec3 foot = place + aside * across;
     constexpr std::size_t kAcross = 5;
     std::array<glm::dvec3, kAcross> lower, upper;
     for (std::size_t i = 0; i < kAcross; ++i) {
@@ -223,7 +226,7 @@ void addFrame(const SculptureSight& sight, Pen& pen) {
   for (int second = std::max(first, -60); second <= std::min(last, 60); ++second) {
     const double height_m = map.present_m() + second * second_m;
     const Vec3 at_m = now_m + way_m * ((height_m - now_m.z) / way_m.z);
-    pen.plate(pen.drawn(at_m), tenthsOf(second), PlateShape::box, glm::vec4(kFrameColour, 0.9F));
+    pen.plate(pen.drawn(at_m), tenthsOf(second), PlateShape::box, glm::vec4(kFrameColour, 0.9F), -0.6);
   }
 }
 
