@@ -138,6 +138,8 @@ void Game::forget(const World& world, std::span<const ObserverView> observers, F
   }
   billiard_.forgetBefore(before_s);
   state.record.forgetBefore_s = before_s;
+  if (!observers.empty())
+    rowsBefore_m = std::min(rowsBefore_m, keptFrom_s * observers[0].headFromBoard.lightSpeed_m_s());
   if (std::isfinite(rowsBefore_m)) state.record.rowsForgottenBefore_m = rowsBefore_m;
 }
 

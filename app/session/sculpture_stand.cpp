@@ -10,8 +10,10 @@
 #include <glm/mat3x3.hpp>
 
 #include "app/stage/scenario_scene.h"
+#include "cave/record/event_mark.h"
 #include "cave/texts/texts.h"
 #include "engine/base/log.h"
+#include "engine/sculpture/event_order.h"
 
 namespace carom {
 namespace {
@@ -36,6 +38,7 @@ SculptureStand::SculptureStand(const Rig& rig, const Scenario& scenario,
   sculpted_ = bodies.pucks.size() + bodies.bodies.size();
   left_ = bodies.leftOut;
   for (const ViewerSetup& viewer : rig.viewers) names_.push_back(viewer.name);
+  for (const Flash& flash : scenario.billiard.flashes) flashes_.push_back(flash.name);
   if (before) {
     view_ = before->sculpture;
     view_.held = 0;
@@ -75,12 +78,6 @@ void SculptureStand::putInto(FrameRecord& record) {
   record.sculpture = view_;
 }
 
-int firstOf(const Event& a, const Event& b, const Vec3& beta, double c_m_s) {
-  const Displacement way = b - a;
-  const double later_s = way.dt_s - glm::dot(beta, way.dr_m) / c_m_s;
-  return later_s > 0.0 ? -1 : later_s < 0.0 ? 1 : 0;
-}
-
 SculptureStand::Touch SculptureStand::touch(const HandInput& hand, std::size_t viewer, const World& world,
                                             FrameRecord& record) {
   Touch touch;
@@ -113,7 +110,7 @@ std::string SculptureStand::wordsOf(const SculptureHands::Outcome& outcome, std:
   };
   const GameEvent *const last = eventOf(view_.picked), *const before = eventOf(view_.compared);
   if (last && before) return compare(*before, *last, viewer, record);
-  return last ? fmt::format(texts::message::kPicked, last->number) : std::string();
+  return last ? fmt::format(texts::message::kPicked, eventMark(*last, flashes_)) : std::string();
 }
 
 std::string SculptureStand::compare(const GameEvent& a, const GameEvent& b, std::size_t viewer,
@@ -122,8 +119,7 @@ std::string SculptureStand::compare(const GameEvent& a, const GameEvent& b, std:
   const Displacement way = b.at - a.at;
   const auto first = [&](const Vec3& beta) {
     const int order = firstOf(a.at, b.at, beta, c_m_s);
-    return order == 0 ? std::string(texts::message::kNeitherFirst)
-                      : std::to_string(order < 0 ? a.number : b.number);
+    return order == 0 ? std::string(texts::message::kNeitherFirst) : eventMark(order < 0 ? a : b, flashes_);
   };
   const auto betaOf = [&](std::size_t who) {
     return betaFromU(record.viewers[who].observer.headFromBoard.inverse().u());
@@ -138,8 +134,8 @@ std::string SculptureStand::compare(const GameEvent& a, const GameEvent& b, std:
         order += fmt::format(texts::message::kOrderOf, first(betaOf(other)), names_[other]);
     order += '.';
   }
-  return fmt::format(texts::message::kPickedTwo, a.number, b.number, glm::length(way.dr_m),
-                     c_m_s * std::abs(way.dt_s), order);
+  return fmt::format(texts::message::kPickedTwo, eventMark(a, flashes_), eventMark(b, flashes_),
+                     glm::length(way.dr_m), c_m_s * std::abs(way.dt_s), order);
 }
 
 }  // namespace carom

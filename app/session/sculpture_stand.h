@@ -40,17 +40,14 @@ class SculptureStand {
   std::size_t sculpted_ = 0, left_ = 0;  // bodies that are shown, and that are not
   bool wasShown_ = false;
   std::vector<std::string> names_;  // of the viewers
-  std::string said_;                // while a hand holds it
+  std::vector<std::string> flashes_;
+  std::string said_;  // while a hand holds it
   SculptureView view_;
   RoomAxes axes_;
   std::optional<Vec3> place_m_;  // of its foot, if that is told
   std::optional<RoomBox> box_;
   bool isPlaced_ = false;
 };
-
-/// Returns which of two events is first in a frame that moves with `beta` on the board: −1 the first, 1 the
-/// second, 0 neither. t_b' − t_a' = γ (Δt − β·Δr/c).
-int firstOf(const Event& a, const Event& b, const Vec3& beta, double c_m_s);
 
 /// Returns the pose of a sculpture that stands on the floor at a place of the room, turned as the board is.
 Pose standingAt(const Vec3& foot_m, const RoomAxes& axes, const Lorentz& boardFromRoom);

@@ -93,6 +93,7 @@ SculptedGame sculptedOf(const Scenario& scenario) {
   const SculptedBodies shown = sculptedBodies(scenario);
   SculptedGame game;
   game.hasCushions = setup.board.has_value();
+  for (const Flash& flash : setup.flashes) game.flashes.push_back(flash.name);
   const auto add = [&](std::size_t body, const Puck& puck) {
     game.bodies.push_back({body, puck, colourOf(puck.name, body - kFirstPuck)});
     game.top_m = std::max(game.top_m, puck.height_m);
@@ -117,8 +118,7 @@ SculptedGame sculptedOf(const Scenario& scenario) {
 SculptedBodies sculptedBodies(const Scenario& scenario) {
   const std::vector<Puck>& pucks = scenario.billiard.pucks;
   SculptedBodies shown;
-  for (std::size_t i = 0; i < pucks.size(); ++i)
-    if (!pucks[i].soft) shown.pucks.push_back(i);
+  for (std::size_t i = 0; i < pucks.size(); ++i) shown.pucks.push_back(i);
   const auto away_m = [&](std::size_t i) { return glm::length(pucks[i].position_m); };
   std::stable_sort(shown.pucks.begin(), shown.pucks.end(),
                    [&](std::size_t a, std::size_t b) { return away_m(a) < away_m(b); });

@@ -8,6 +8,8 @@
 #include "cave/gl/gl_program.h"
 #include "cave/gl/gl_state_guard.h"
 #include "shaders/glass_frag.h"
+#include "shaders/glass_shadow_frag.h"
+#include "shaders/glass_sheet_frag.h"
 #include "shaders/glass_vert.h"
 
 namespace carom {
@@ -33,42 +35,72 @@ void GlassMesh::draw(const TriangleRange& triangles) const {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT, first);
 }
 
-GlassDrawer::GlassDrawer() : program_(makeProgram("glass", shaders::glass_vert, shaders::glass_frag)) {}
+GlassDrawer::GlassDrawer()
+    : program_(makeProgram("glass", shaders::glass_vert, shaders::glass_frag)),
+      sheets_(makeProgram("glass sheets", shaders::glass_vert, shaders::glass_sheet_frag)),
+      shadows_(makeProgram("glass shadows", shaders::glass_vert, shaders::glass_shadow_frag)) {}
+
+namespace {
+
+/// One way of drawing pieces, with a program of its own.
+class Pass {
+ public:
+  Pass(const GlProgram& program, const GlassPlace& place, const glm::mat4& drawnFromEvent,
+       const glm::mat4& clipFromDrawn)
+      : program_(program) {
+    glUseProgram(program);
+    glUniformMatrix4fv(at("clipFromDrawn"), 1, GL_FALSE, glm::value_ptr(clipFromDrawn));
+    glUniformMatrix4fv(at("drawnFromEvent"), 1, GL_FALSE, glm::value_ptr(drawnFromEvent));
+    glUniform4fv(at("heightOfEvent"), 1, glm::value_ptr(place.heightOfEvent));
+    glUniform2f(at("heights_m"), place.present_m, place.top_m);
+    colour_ = at("colour"), look_ = at("look");
+  }
+  /// Of glass that both takes and adds: which of these it does.
+  void setAdds(bool adds) const { glUniform1i(at("adds"), adds ? 1 : 0); }
+
+  void draw(const GlassDrawer::Piece& piece) const {
+    const GlassLook& look = piece.look;
+    const float sides = look.closed ? 2.0F : 1.0F;
+    glUniform3fv(colour_, 1, glm::value_ptr(look.colour));
+    glUniform4f(look_, look.taken, sides * look.shine, sides * look.edge, look.ahead);
+    piece.mesh->draw(piece.triangles);
+  }
+
+ private:
+  GLint at(const char* name) const { return glGetUniformLocation(program_, name); }
+
+  unsigned program_;
+  GLint colour_, look_;
+};
+
+}  // namespace
 
 void GlassDrawer::draw(std::span<const Piece> pieces, const GlassPlace& place,
                        const glm::mat4& clipFromDrawn) const {
-  glUseProgram(program_);
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
   glEnable(GL_CLIP_DISTANCE0);
   glEnable(GL_CLIP_DISTANCE0 + 1);
-  const auto at = [&](const char* name) { return glGetUniformLocation(program_, name); };
-  glUniformMatrix4fv(at("clipFromDrawn"), 1, GL_FALSE, glm::value_ptr(clipFromDrawn));
-  glUniformMatrix4fv(at("drawnFromEvent"), 1, GL_FALSE, glm::value_ptr(place.drawnFromEvent));
-  glUniform4fv(at("heightOfEvent"), 1, glm::value_ptr(place.heightOfEvent));
-  glUniform2f(at("heights_m"), place.present_m, place.top_m);
-  const GLint colour = at("colour"), look = at("look"), adds = at("adds");
-  for (const int pass : {0, 1}) {
-    glUniform1i(adds, pass);
-    if (pass == 0) {
-      glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-    } else {
-      glBlendFunc(GL_ONE, GL_ONE);
-    }
-    for (const Piece& piece : pieces) {
-      if (pass == 0 && piece.look.taken == 0.0F) continue;
-      if (piece.look.closed) {
-        glEnable(GL_CULL_FACE);
-      } else {
-        glDisable(GL_CULL_FACE);
-      }
-      const float sides = piece.look.closed ? 2.0F : 1.0F;
-      glUniform3fv(colour, 1, glm::value_ptr(piece.look.colour));
-      glUniform4f(look, piece.look.taken, sides * piece.look.shine, sides * piece.look.edge,
-                  piece.look.ahead);
-      piece.mesh->draw(piece.triangles);
-    }
-  }
+  glEnable(GL_CULL_FACE);
+  glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+  const auto drawClosed = [&](const Pass& pass) {
+    for (const Piece& piece : pieces)
+      if (piece.look.closed) pass.draw(piece);
+  };
+  drawClosed({shadows_, place, place.shadowFromEvent, clipFromDrawn});
+  const Pass glass(program_, place, place.drawnFromEvent, clipFromDrawn);
+  glass.setAdds(false);
+  drawClosed(glass);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glass.setAdds(true);
+  drawClosed(glass);
+  // Sheets leave the tones alone, by which edges behind them are smoothed (cave/render/edge_pixels.h).
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  const Pass sheets(sheets_, place, place.drawnFromEvent, clipFromDrawn);
+  for (const Piece& piece : pieces)
+    if (!piece.look.closed) sheets.draw(piece);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   enterRestState();
   glDisable(GL_CLIP_DISTANCE0 + 1);
   glDisable(GL_CLIP_DISTANCE0);

@@ -30,10 +30,16 @@ struct GlassLook {
   bool closed = false;     ///< it goes round: its far side is drawn with the near one, as bright as that
 };
 
+/// Returns the look of a thin sheet, which takes nothing and adds the same from all sides.
+inline GlassLook sheetLook(const glm::vec3& colour, float shine) {
+  return {colour, 0.0F, shine, shine, 1.0F};
+}
+
 /// Where the glass stands for one eye.
 struct GlassPlace {
-  glm::mat4 drawnFromEvent{1.0F};  ///< from (x, y, c t, 1) to places from the eye
-  glm::vec4 heightOfEvent{0.0F};   ///< row that gives the height over the foot, metres of the board
+  glm::mat4 drawnFromEvent{1.0F};   ///< from (x, y, c t, 1) to places from the eye
+  glm::mat4 shadowFromEvent{1.0F};  ///< the same for shadows on the floor
+  glm::vec4 heightOfEvent{0.0F};    ///< row that gives the height over the foot, metres of the board
   float present_m = 0.0F, top_m = 1.0F;
 };
 
@@ -64,11 +70,12 @@ class GlassDrawer {
     /// The triangles that are drawn of it.
     TriangleRange triangles{0, std::numeric_limits<std::size_t>::max()};
   };
-  /// Draws all pieces. Call it within a GlStateGuard, with the depth test on.
+  /// Draws all pieces, and shadows of those that are closed. Call it within a GlStateGuard, with the depth
+  /// test on.
   void draw(std::span<const Piece> pieces, const GlassPlace& place, const glm::mat4& clipFromDrawn) const;
 
  private:
-  GlProgram program_;
+  GlProgram program_, sheets_, shadows_;
 };
 
 }  // namespace carom

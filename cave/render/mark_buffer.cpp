@@ -29,14 +29,6 @@ const std::string kCells =
 constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, for each shape
 constexpr std::size_t kLettersInAFloat = 3;                  // of 8 bits: as many as it holds exactly
 
-/// Writes a value in words, cut after twelve letters.
-template <typename Value>
-PlateText written(fmt::format_string<Value> words, Value value) {
-  std::array<char, 48> text{};
-  const auto end = fmt::format_to_n(text.data(), text.size(), words, std::forward<Value>(value));
-  return plateText({text.data(), std::min(end.size, text.size())});
-}
-
 glm::vec4 packed(const PlateText& text) {
   glm::vec4 in(0.0F);
   for (std::size_t i = 0; i < text.letters.size(); ++i)
@@ -70,23 +62,19 @@ PlateText plateText(std::string_view words) {
   return text;
 }
 
-PlateText wholeNumber(std::uint64_t number) {
-  return written<std::uint64_t>("{}", number % 1'000'000'000'000);
-}
+PlateText wholeNumber(std::uint64_t number) { return written("{}", number % 1'000'000'000'000); }
 
 PlateText tenthsOf(double time_s) {
   const double tenths = std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s);
-  return written<double>("{:.1f}", tenths / 10.0);
+  return written("{:.1f}", tenths / 10.0);
 }
 
 PlateText hundredthsOf(double time_s) {
   const double hundredths = std::clamp(std::round(100.0 * time_s), -99999.0, 99999.0);
-  return written<double>("{:.2f}", hundredths / 100.0 + 0.0);  // a zero without a sign
+  return written("{:.2f}", hundredths / 100.0 + 0.0);  // a zero without a sign
 }
 
-PlateText measured(const char* words, double value) {
-  return written<double>(fmt::runtime(words), std::clamp(value, 0.0, 9999.0));
-}
+PlateText measured(const char* words, double value) { return written(words, std::clamp(value, 0.0, 9999.0)); }
 
 double placesAcross(const PlateText& text, PlateShape shape) {
   return text.places + 2.0 * kMargins[static_cast<std::size_t>(shape)];

@@ -2,12 +2,14 @@
 // Small flat marks drawn among the bodies: lines, plates with letters, glows. They are computed anew for each
 // eye, in double, at the places where the eye sees them, and drawn over all walls of that eye.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -40,6 +42,13 @@ PlateText tenthsOf(double time_s);
 PlateText hundredthsOf(double time_s);  ///< rounded to hundredths; minus to plus 999.99
 /// Returns a number in words, such as "γ {:.2f}", from 0 to 9999.
 PlateText measured(const char* words, double value);
+/// Returns numbers or names in words, such as "{} of {}", cut after twelve letters.
+template <typename... Values>
+PlateText written(const char* words, const Values&... values) {
+  std::array<char, 64> text{};
+  const auto end = fmt::format_to_n(text.data(), text.size(), fmt::runtime(words), values...);
+  return plateText({text.data(), std::min(end.size, text.size())});
+}
 
 /// The look of a plate, by which a person tells from afar what it shows.
 enum class PlateShape {

@@ -17,8 +17,10 @@ namespace {
 // Times on the graphics card are counted from a multiple of this, so that single precision is good to 0.03 mm
 // in the room.
 constexpr double kBase_s = 1024.0;
-constexpr int kCells = 12;          // of the light cone, across the rectangle
-constexpr double kFine_m = 2.5e-4;  // by which tubes may be off in the room
+constexpr double kFine_m = 5e-4;  // by which tubes may be off in the room
+const Vec3 kShadowAside(-0.22, -0.05,
+                        0.12);  // how far beside it the shadow of a metre's height lies, room frame
+constexpr double kOverFloor_m = 0.004;
 
 /// Returns the same for the board, as a power of two, so that tubes are seldom made anew while they are
 /// scaled.
@@ -29,18 +31,15 @@ SculptureMap mapOf(const FrameRecord& record) {
   return {record.sculpture.place, first.middle.observation, first.headFromBoard.lightSpeed_m_s()};
 }
 
-GlassLook tubeLook(const glm::vec3& colour) {
+/// Of a disc the borders are bright; the sides of an outline are wide, and would be so all over.
+GlassLook tubeLook(const SculptedBody& body) {
   GlassLook look;
-  look.colour = codeOf(glm::max(colour, glm::vec3(0.06F)));
+  look.colour = codeOf(glm::max(body.colour, glm::vec3(0.06F)));
   look.taken = 0.70F;
   look.shine = 0.10F;
-  look.edge = 0.42F;
+  look.edge = body.puck.outline_m.empty() ? 0.24F : 0.12F;
   look.closed = true;
   return look;
-}
-
-GlassLook paneLook(const glm::vec3& colour, float shine, float edge) {
-  return {colour, 0.0F, shine, edge, 1.0F};
 }
 
 }  // namespace
@@ -51,12 +50,12 @@ RoomSculpture::RoomSculpture(const SculptedGame& game)
       seen_(glass_.mesh()),
       boardNow_(glass_.mesh()),
       myNow_(glass_.mesh()) {
-  for (const SculptedBody& body : game.bodies) tubes_.push_back({{}, glass_.mesh(), tubeLook(body.colour)});
+  for (const SculptedBody& body : game.bodies) tubes_.push_back({{}, glass_.mesh(), tubeLook(body)});
   for (const Tube& tube : tubes_) pieces_.push_back({&tube.mesh, tube.look});
-  pieces_.push_back({&cushions_, paneLook({0.55F, 0.75F, 0.70F}, 0.015F, 0.10F)});
-  pieces_.push_back({&boardNow_, paneLook(kBoardNowColour, 0.05F, 0.10F)});
-  pieces_.push_back({&myNow_, paneLook(kMyNowColour, 0.05F, 0.10F)});
-  pieces_.push_back({&seen_, paneLook(glm::vec3(1.0F, 0.98F, 0.9F), 0.06F, 0.16F)});
+  pieces_.push_back({&cushions_, sheetLook({0.55F, 0.75F, 0.70F}, 0.03F)});
+  pieces_.push_back({&boardNow_, sheetLook(kBoardNowColour, 0.06F)});
+  pieces_.push_back({&myNow_, sheetLook(kMyNowColour, 0.06F)});
+  pieces_.push_back({&seen_, sheetLook(glm::vec3(1.0F, 0.98F, 0.9F), 0.08F)});
 }
 
 void RoomSculpture::follow(const FrameRecord& record, const World& world) {
@@ -82,9 +81,12 @@ void RoomSculpture::followTubes(const FrameRecord& record, const World& world) {
     const SculptedBody& body = shape_.game().bodies[i];
     Tube& tube = tubes_[i];
     const bool isHeld = shape_.game().hasCushions && body.body <= record.pucks;
-    if (!tube.shape.follow(body.puck, world.histories[body.body], isHeld ? within_s : past_s, now.t_s,
-                           base_s_, fine_m))
-      continue;
+    const double shown_s = isHeld ? within_s : past_s;
+    const std::optional<SoftRim> soft = shape_.softRim(i, world);
+    const bool isNew =
+        soft ? tube.shape.follow(*soft, shown_s, now.t_s, base_s_, fine_m)
+             : tube.shape.follow(body.puck, world.histories[body.body], shown_s, now.t_s, base_s_, fine_m);
+    if (!isNew) continue;
     tube.mesh.upload(tube.shape.points(), tube.shape.triangles());
     tube.reach_m = 0.0;
     for (const glm::vec3& point : tube.shape.points())
@@ -132,7 +134,7 @@ void RoomSculpture::makeSurfaces(const FrameRecord& record) {
     for (std::size_t viewer = 0; viewer < viewers; ++viewer) sheet(viewer, moment, cells);
     mesh.upload(corners_, triangles_);
   };
-  fill(seen_, record.viewerCount, ViewTime::seen, kCells);
+  fill(seen_, record.viewerCount, ViewTime::seen, kSurfaceCells);
   fill(myNow_, record.viewerCount, ViewTime::myNow, 1);
   fill(boardNow_, 1, ViewTime::boardNow, 1);
   corners_.clear();
@@ -172,6 +174,14 @@ GlassPlace RoomSculpture::placeFrom(const SculptureMap& map, const Vec3& viewpoi
   height.w = model_m.z - height.z * origin_m;
   GlassPlace place;
   place.drawnFromEvent = glm::mat4(drawn);
+  // The light falls along one way of the room, however the sculpture is turned: its shadow at the height h is
+  // h kShadowAside beside it.
+  const SculpturePlace& at = map.place();
+  const Vec3 up = at.roomFromFoot.orientation * Vec3(0.0, 0.0, 1.0);
+  const Vec3 aside = kShadowAside - up * glm::dot(kShadowAside, up);
+  place.shadowFromEvent =
+      glm::mat4(drawn + glm::outerProduct(glm::dvec4(at.scale * (aside - up), 0.0), height));
+  place.shadowFromEvent[3] += glm::vec4(glm::vec3(up * kOverFloor_m), 0.0F);
   place.heightOfEvent = glm::vec4(height);
   place.present_m = static_cast<float>(map.present_m());
   place.top_m = static_cast<float>(map.top_m());

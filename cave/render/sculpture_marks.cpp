@@ -9,19 +9,35 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl/view_colours.h"
+#include "cave/record/event_mark.h"
+#include "cave/render/order_table.h"
 #include "engine/sculpture/sculpture_reach.h"
 
 namespace carom {
 namespace {
 
 constexpr glm::vec3 kSeenColour(1.0F), kFrameColour(0.75F, 0.80F, 0.85F);
-constexpr double kThin_rad = 0.0006, kLine_rad = 0.0010, kBright_rad = 0.0018;
+constexpr double kThin_rad = 0.0009, kLine_rad = 0.0012, kBright_rad = 0.0018;
 constexpr std::size_t kMostFlags = 12;
 constexpr double kFlag_m = 0.03;  // height of a plate at a metre
 
 /// Returns the event between two events that is this share of the way from the first.
 Event between(const Event& a, const Event& b, double share) {
   return {a.t_s + (b.t_s - a.t_s) * share, a.r_m + (b.r_m - a.r_m) * share};
+}
+
+glm::vec4 colourOf(OrderOf whose) {
+  switch (whose) {
+    case OrderOf::interval:
+      return glm::vec4(kFlashColour, 1.0F);
+    case OrderOf::table:
+      return glm::vec4(kBoardNowColour, 1.0F);
+    case OrderOf::me:
+      return glm::vec4(kMyNowColour, 1.0F);
+    case OrderOf::other:
+      return glm::vec4(kMyNowColour, 0.6F);
+  }
+  return glm::vec4(1.0F);
 }
 
 /// Adds marks that are given as events.
@@ -73,10 +89,13 @@ class Pen {
     batch_.addDisc(middle, radius_m, colour);
     if (text) plate(middle + up_ * (1.4 * radius_m), *text, shape, colour);
   }
-  /// Adds an upright plate that faces the eye, its lower border's middle at a place.
-  void plate(const glm::dvec3& foot, const PlateText& text, PlateShape shape, const glm::vec4& colour) {
-    const double height_m = kFlag_m * std::clamp(glm::length(foot), 0.5, 4.0);
-    const glm::dvec3 across = 0.6 * height_m * placesAcross(text, shape) * rightOf(foot);
+  /// Adds an upright plate that faces the eye, its lower border's middle at a place, or by so many of its
+  /// widths to the right of it.
+  void plate(const glm::dvec3& place, const PlateText& text, PlateShape shape, const glm::vec4& colour,
+             double aside = 0.0) {
+    const double height_m = kFlag_m * std::clamp(glm::length(place), 0.5, 4.0);
+    const glm::dvec3 across = 0.6 * height_m * placesAcross(text, shape) * rightOf(place);
+    const glm::dvec3 foot = place + aside * across;
     constexpr std::size_t kAcross = 5;
     std::array<glm::dvec3, kAcross> lower, upper;
     for (std::size_t i = 0; i < kAcross; ++i) {
@@ -85,9 +104,26 @@ class Pen {
     }
     batch_.addPlate(lower, upper, text, shape, colour);
   }
+  /// Adds the table of a picked event: each row is a flag and beside it a box, to the right of a place.
+  void table(const OrderTable& table, const glm::dvec3& corner) {
+    const double height_m = kFlag_m * std::clamp(glm::length(corner), 0.5, 4.0), place_m = 0.6 * height_m;
+    const glm::dvec3 right = rightOf(corner);
+    double across = 0.0;
+    for (const OrderRow& row : table.all())
+      across = std::max(across, placesAcross(row.who, PlateShape::flag));
+    glm::dvec3 foot = corner + right * (1.5 * place_m);
+    for (std::size_t i = table.count; i-- > 0; foot += up_ * (1.15 * height_m)) {
+      const OrderRow& row = table.rows[i];
+      const double who = placesAcross(row.who, PlateShape::flag),
+                   what = placesAcross(row.what, PlateShape::box);
+      const glm::vec4 colour = colourOf(row.whose);
+      plate(foot + right * (place_m * (across - 0.5 * who)), row.who, PlateShape::flag, colour);
+      plate(foot + right * (place_m * (across + 0.3 + 0.5 * what)), row.what, PlateShape::box, colour);
+    }
+  }
   void thread(const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& colour) {
     const std::array<glm::dvec3, 2> ends{from, to};
-    batch_.addLine(ends, colour, kThin_rad);
+    batch_.addLine(ends, colour, kLine_rad);
   }
 
  private:
@@ -133,7 +169,7 @@ void addSurface(const SculptureSight& sight, std::size_t viewer, ViewTime moment
                 Pen& pen) {
   const ObserverView& observer = sight.record.viewers[viewer].observer;
   const SculptureShape& shape = sight.shape;
-  const std::size_t steps = moment == ViewTime::seen ? 24 : 1;
+  const std::size_t steps = moment == ViewTime::seen ? kSurfaceCells : 1;
   const auto side = [&](const glm::dvec2& from, const glm::dvec2& to, double rad, const glm::vec4& ink) {
     std::vector<Event>& events = sight.memory.events;
     events.clear();
@@ -147,7 +183,7 @@ void addSurface(const SculptureSight& sight, std::size_t viewer, ViewTime moment
   for (std::size_t i = 0; i < 4; ++i) side(corners[i], corners[i + 1], kLine_rad, colour);
   if (moment != ViewTime::seen) return;
   const glm::vec4 faint(glm::vec3(colour), 0.35F * colour.a);
-  constexpr int kLines = 6;
+  constexpr int kLines = 4;
   for (int k = 1; k < kLines; ++k) {
     const glm::dvec2 at =
         shape.low_m() + (shape.high_m() - shape.low_m()) * (static_cast<double>(k) / kLines);
@@ -190,7 +226,7 @@ void addFrame(const SculptureSight& sight, Pen& pen) {
   for (int second = std::max(first, -60); second <= std::min(last, 60); ++second) {
     const double height_m = map.present_m() + second * second_m;
     const Vec3 at_m = now_m + way_m * ((height_m - now_m.z) / way_m.z);
-    pen.plate(pen.drawn(at_m), tenthsOf(second), PlateShape::box, glm::vec4(kFrameColour, 0.9F));
+    pen.plate(pen.drawn(at_m), tenthsOf(second), PlateShape::box, glm::vec4(kFrameColour, 0.9F), -0.6);
   }
 }
 
@@ -295,9 +331,15 @@ void addEventBeads(const SculptureSight& sight, Pen& pen) {
                           sight.record.sculpture.compared == event->number + 1;
     const bool isLight = event->kind == EventKind::flash || event->kind == EventKind::stroke;
     const glm::vec4 colour(isPicked || isLight ? kFlashColour : kEventColour, 1.0F);
-    const PlateText number = wholeNumber(event->number);
-    pen.bead(at, colour, isPicked ? 1.5 * kBead_m : kBead_m, ++flags <= kMostFlags ? &number : nullptr);
+    const bool hasFlag = ++flags <= kMostFlags || isPicked;
+    const PlateText text = hasFlag ? plateText(eventMark(*event, sight.shape.game().flashes)) : PlateText{};
+    pen.bead(at, colour, isPicked ? 1.5 * kBead_m : kBead_m, hasFlag ? &text : nullptr);
     if (isPicked) addDoubleCone(sight, at, pen);
+    if (sight.record.sculpture.picked != event->number + 1) continue;
+    const Vec3 model_m = sight.map.model_m(at);
+    if (pen.isWithin(model_m))
+      pen.table(orderTable(sight.record, sight.viewer, sight.events, sight.shape.game().flashes),
+                pen.drawn(model_m));
   }
 }
 

@@ -12,6 +12,9 @@
 
 namespace carom {
 
+/// The parts of the light cone's sheet across the rectangle: of the glass and of the lines on it.
+inline constexpr int kSurfaceCells = 12;
+
 /// Memory that is used again.
 struct SculptureMemory {
   std::vector<Event> events;

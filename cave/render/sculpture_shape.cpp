@@ -26,27 +26,43 @@ Event surfaceEvent(const ObserverView& observer, ViewTime moment, const glm::dve
   return {eye.t_s + glm::dot(beta, way_m) / c_m_s, place};
 }
 
-SculptureShape::SculptureShape(const SculptedGame& game) : game_(game) {
+SculptureShape::SculptureShape(const SculptedGame& game) : game_(game), hulls_(game.bodies.size()) {
   for (const SculptedBody& body : game.bodies) {
     Rim& rim = rims_.emplace_back();
     for (const Vec2& point_m : rimOf(body.puck)) rim.emplace_back(point_m, 0.5 * body.puck.height_m);
   }
 }
 
+std::optional<SoftRim> SculptureShape::softRim(std::size_t body, const World& world) {
+  const SculptedBody& sculpted = game_.bodies[body];
+  if (sculpted.body >= world.soft.size() || world.soft[sculpted.body].rows.rowCount() == 0) return {};
+  const SoftPast& past = world.soft[sculpted.body];
+  SoftHull& hull = hulls_[body];
+  if (hull.nodes.empty()) hull = softHullOf(sculpted.puck);
+  return SoftRim{past.rows, past.rigid ? &*past.rigid : nullptr, hull.nodes, hull.relaxed,
+                 world.histories[sculpted.body].lightSpeed_m_s()};
+}
+
 void SculptureShape::cut(std::size_t viewer, const FrameRecord& record, const World& world) {
   const ObserverView& observer = record.viewers[viewer].observer;
   const Event& eye = observer.middle.observation;
   for (std::size_t body = 0; body < game_.bodies.size(); ++body) {
-    const std::size_t every = everyFor(game_.bodies[body].puck, kFine_m / record.sculpture.place.scale);
-    rim_.clear();
-    for (std::size_t i = 0; i < rims_[body].size(); i += every) rim_.push_back(rims_[body][i]);
+    const std::optional<SoftRim> soft = softRim(body, world);
     for (const ViewTime moment : {ViewTime::seen, ViewTime::myNow, ViewTime::boardNow}) {
       if (moment == ViewTime::boardNow && viewer > 0) continue;
+      const double fine_m = moment == ViewTime::seen ? kFine_m : kMomentFine_m;
+      const std::size_t every = everyFor(game_.bodies[body].puck, fine_m / record.sculpture.place.scale);
+      rim_.clear();
+      for (std::size_t i = 0; i < rims_[body].size(); i += every) rim_.push_back(rims_[body][i]);
       if (cutCount_ == cuts_.size()) cuts_.emplace_back();
       TubeCut& made = cuts_[cutCount_++];
       made.body = body, made.viewer = viewer, made.moment = moment;
-      cutRim(rim_, world.histories[game_.bodies[body].body], eye, observer.headFromBoard, moment, view_,
-             made.events);
+      if (soft) {
+        cutSoftRim(*soft, eye, observer.headFromBoard, moment, view_, made.events);
+      } else {
+        cutRim(rim_, world.histories[game_.bodies[body].body], eye, observer.headFromBoard, moment, view_,
+               made.events);
+      }
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "cave/scene/scene.h"
 #include "engine/sculpture/rim_cut.h"
 #include "engine/sculpture/sculpture_place.h"
+#include "engine/sculpture/soft_rim.h"
 
 namespace carom {
 
@@ -40,8 +42,9 @@ class OwnLines {
 
 class SculptureShape {
  public:
-  /// By how much the chords of a disc's cut may be off in the room, at rest.
-  static constexpr double kFine_m = 4e-5;
+  /// By how much the chords of a disc's cut may be off in the room, at rest: of the seen rim, and of those at
+  /// a moment.
+  static constexpr double kFine_m = 4e-5, kMomentFine_m = 2.5e-4;
 
   explicit SculptureShape(const SculptedGame& game);
 
@@ -49,6 +52,8 @@ class SculptureShape {
   void follow(const FrameRecord& record, const World& world);
 
   const SculptedGame& game() const { return game_; }
+  /// Returns the rim of one of the sculpted bodies that is soft in this world; none while it is rigid.
+  std::optional<SoftRim> softRim(std::size_t body, const World& world);
   std::span<const TubeCut> cuts() const { return std::span(cuts_).first(cutCount_); }
   /// The rectangle: the board, widened to the viewers beside it.
   const glm::dvec2& low_m() const { return low_m_; }
@@ -60,7 +65,8 @@ class SculptureShape {
 
   SculptedGame game_;
   std::vector<Rim> rims_;
-  Rim rim_;  // what of one is cut
+  std::vector<SoftHull> hulls_;  // made when a body becomes soft
+  Rim rim_;                      // what of one is cut
   BodyView view_;
   std::vector<TubeCut> cuts_;  // memory that is used again
   std::size_t cutCount_ = 0;

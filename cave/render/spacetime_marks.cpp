@@ -10,6 +10,7 @@
 
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/view_colours.h"
+#include "cave/record/event_mark.h"
 #include "cave/render/measure_marks.h"
 #include "cave/render/travelling_light.h"
 #include "cave/scene/person_model.h"
@@ -116,7 +117,7 @@ class Latest {
 }  // namespace
 
 void addEvents(const MarkContext& sight, std::span<const glm::vec3> colours,
-               std::span<const PlateText> flashTexts, LabelLayout& crowd, MarkBuffer& batch) {
+               std::span<const std::string> flashes, LabelLayout& crowd, MarkBuffer& batch) {
   const Resting draw(sight);
   const double c_m_s = sight.observer.headFromBoard.lightSpeed_m_s();
   Latest latest;
@@ -135,9 +136,7 @@ void addEvents(const MarkContext& sight, std::span<const glm::vec3> colours,
     const double byRank = std::min(1.0, 1.4 * (1.0 - rank++ / static_cast<double>(kMostMarkers)));
     const glm::vec3 flashing =
         event->kind == EventKind::flash ? flashColour(sight, colours, event->at) : kFlashColour;
-    const bool isNamed = event->kind == EventKind::flash && event->which < flashTexts.size() &&
-                         flashTexts[event->which].places > 0;
-    const PlateText text = isNamed ? flashTexts[event->which] : wholeNumber(event->number);
+    const PlateText text = plateText(eventMark(*event, flashes));
     addMarker(batch, sight, draw, *event, text, age_s, static_cast<float>(byAge * byRank), flashing, crowd);
   }
 }
@@ -286,11 +285,9 @@ SpacetimeMarks::SpacetimeMarks(const Scene& scene)
       ruler_(scene.ruler),
       pulses_(scene.pulses),
       lesson_(scene.lesson),
+      flashes_(scene.flashes),
       firstPerson_(scene.firstPerson) {
   reach_m_.resize(scene.bodyCount);
-  constexpr std::size_t kShortName = 2;
-  for (const std::string& name : scene.flashes)
-    flashTexts_.push_back(name.size() <= kShortName ? plateText(name) : PlateText{});
   for (const ScenePart& part : scene.parts) {
     if (part.paint == Paint::shadow) continue;
     colours_[part.body] = part.colour;
@@ -313,7 +310,7 @@ void SpacetimeMarks::look(const MarkContext& sight) {
   if (sight.views.ruler) addRuler(sight, ruler_, crowd, batch_);
   if (sight.views.clocks) addPuckClocks(sight, {colours_, reach_m_, rims_m_}, crowd, batch_);
   addPeopleClocks(sight, firstPerson_, crowd, batch_);
-  if (sight.views.events) addEvents(sight, colours_, flashTexts_, crowd, batch_);
+  if (sight.views.events) addEvents(sight, colours_, flashes_, crowd, batch_);
   if (sight.views.news) addNews(sight, colours_, batch_);
   addStrokes(sight, batch_);
   if (sight.views.speeds) addSeenSpeeds(sight, tops_m_, crowd, batch_);

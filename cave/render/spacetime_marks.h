@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -21,10 +22,9 @@ namespace carom {
 /// kMostMarkers events, the older the fainter. For flashes it also adds the sphere of their light, of radius
 /// c (t − t_e) at the person's board time t, and the ring in which the sphere cuts the cloth: in the colour
 /// of the puck that flashes, if there is one of these `colours` (of every body, linear).
-/// A flash that has a text among `flashTexts`, in the order of the game's flashes, shows it in place of its
-/// number.
+/// `flashes`: the names of the game's flashes (cave/record/event_mark.h).
 void addEvents(const MarkContext& sight, std::span<const glm::vec3> colours,
-               std::span<const PlateText> flashTexts, LabelLayout& crowd, MarkBuffer& batch);
+               std::span<const std::string> flashes, LabelLayout& crowd, MarkBuffer& batch);
 inline constexpr std::size_t kMostMarkers = 8;
 inline constexpr double kEventShown_s = 8.0;  ///< after its light has arrived
 inline constexpr double kFlashSeen_s = 0.35;  ///< how long a flash glows
@@ -68,11 +68,11 @@ class SpacetimeMarks {
 
  private:
   std::vector<glm::vec3> colours_;                 // of every body, linear
-  std::vector<PlateText> flashTexts_;              // without letters where the name is long
   std::vector<double> reach_m_, tops_m_, rims_m_;  // of every body
   Ruler ruler_;
   std::vector<LightPath> pulses_;
   LessonPlan lesson_;
+  std::vector<std::string> flashes_;
   std::size_t firstPerson_;
   std::size_t pucks_ = 0;
   PathRibbons paths_;

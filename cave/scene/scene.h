@@ -53,7 +53,8 @@ struct SculptedGame {
   std::vector<SculptedBody> bodies;
   glm::dvec2 half_m{1.0};  ///< from the board's middle to its cushions, or to the pucks
   bool hasCushions = false;
-  double top_m = 0.0;  ///< height of the plane of the pucks' tops
+  double top_m = 0.0;                ///< height of the plane of the pucks' tops
+  std::vector<std::string> flashes;  ///< the names of the game's flashes, in their order
 };
 inline constexpr std::size_t kMostSculpted = 100;
 

@@ -192,6 +192,11 @@ inline constexpr Text kEnd = "End   Escape", kGoOn = "Go on";
 namespace plate {
 inline constexpr Text kLength = "{:.1f} m", kAngle = "{:.1f}°";
 // Of a body, in the order of GaugeQuantity.
+// Of a picked event of spacetime: whose order, and which one it is; at most twelve letters each.
+inline constexpr Text kInterval = "interval", kTable = "table", kYou = "you", kOther = "other";
+inline constexpr Text kViewer = "viewer {}", kPlaceOf = "{} of {}", kThen = "{} then {}";
+inline constexpr Text kTogether = "{} with {}";
+inline constexpr Text kIntervalOfTime = "{:.2f} s", kIntervalOfSpace = "{:.2f} m";
 inline constexpr std::array<Text, 4> kGauges{"speed {:.2f} c", "looks {:.2f} c", "γ {:.2f}", "length {:.2f}"};
 }  // namespace plate
 

@@ -1,6 +1,6 @@
 #pragma once
-// The world tube of a puck while the game goes on: a surface to which each new knot adds what follows from
-// it. What lies before the signal of a knot stays as it is.
+// The world tube of a puck while the game goes on: a surface to which each new knot, or row of a soft puck,
+// adds what follows from it. What lies before the signal of a knot stays as it is.
 
 #include <array>
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/billiard/billiard_setup.h"
+#include "engine/sculpture/soft_rim.h"
 #include "engine/sculpture/world_tube.h"
 
 namespace carom {
@@ -27,6 +28,9 @@ class GrowingTube {
   bool follow(const Puck& puck, const WorldLine& line, double past_s, double now_s, double base_s,
               double fine_m);
 
+  /// The same of a soft puck that has rows.
+  bool follow(const SoftRim& rim, double past_s, double now_s, double base_s, double fine_m);
+
   /// Points (x, y, c (t − base)), metres.
   std::span<const glm::vec3> points() const { return points_; }
   std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
@@ -40,13 +44,26 @@ class GrowingTube {
     Span span;
     std::size_t firstLeg = 0;
     std::vector<Knot> knots;                // those whose signals reach a point of the slice
+    SliceOfRows rows;                       // of a soft puck
     std::size_t points = 0, triangles = 0;  // where its own begin
-    bool isSame(const Part& other) const;
   };
+  /// What a slice is to be made from: some knots of a line, or rows.
+  struct Wanted {
+    Span span;
+    std::size_t firstLeg = 0, behind = 0;
+    SliceOfRows rows;
+  };
+  static bool isSame(const Part& part, const Wanted& wanted, const WorldLine* line);
+  void clear();
   bool isUpToDate(const WorldLine& line, const Span& window, double base_s, double fine_m);
   void findParts(const WorldLine& line, const Span& window);
   void forgetBefore(double from_s);
-  void add(const Puck& puck, const WorldLine& line, Part part);
+  void findParts(const SoftRim& rim, const Span& window);
+  void add(const Puck& puck, const WorldLine& line, const Wanted& wanted);
+  void add(const SoftRim& rim, const Wanted& wanted);
+  void append(const std::vector<std::vector<Event>>& events, double c_m_s, Part part);
+  template <typename Add>
+  bool remake(const WorldLine* line, const Add& add);
 
   /// What it was made from.
   struct Made {
@@ -54,8 +71,10 @@ class GrowingTube {
     Knot first, last;
     Span window;
     double base_s = 0.0, fine_m = 0.0;
+    bool isSoft = false;
   } made_;
-  std::vector<Part> parts_, wanted_;
+  std::vector<Part> parts_;
+  std::vector<Wanted> wanted_;
   std::vector<glm::vec3> points_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };

@@ -14,6 +14,7 @@
 #include "cave/texts/texts.h"
 #include "engine/billiard/billiard.h"
 #include "engine/random_world.h"
+#include "engine/sculpture/event_order.h"
 #include "log_lines.h"
 
 namespace carom {

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # people.sh CAROM CONFIG: several people in one room. One [[viewer]] is what [head] is, row for row and byte for byte.
 # Two and three people who walk as recorded, without thrust and with thrust to half the lapse: people.py proves their
-# clocks from the session file alone. Two people's pictures are the same on 1, 2 and 4 processes, and a replay as
-# either of them shows their pictures again.
+# clocks from the session file alone. Two people's pictures, with both people's presents in the spacetime that
+# stands in the room, are the same on 1, 2 and 4 processes and in a replay; a replay as either of them shows their
+# pictures again.
 . "$(dirname "$0")/../../session.sh"
 set -e
 here=$(dirname "$(readlink -f "$0")")
@@ -36,7 +37,7 @@ sed "$small" "$config/rigs/desk-two.toml" |
   awk '/^\[\[wall\]\]/ { n++ } { print } /^stereo =/ { print "node = " (n - 1) % 4 }' >"$out/desk-two.toml"
 for ranks in 1 2 4; do
   quietly mpirun --allow-run-as-root --oversubscribe -n "$ranks" "$carom" cave --rig "$out/desk-two.toml" --frames 6 \
-    --view my-now --view clocks --session "$out/ranks-$ranks.db" --capture "$out/ranks-$ranks" --no-window
+    --view my-now --view clocks --view spacetime --session "$out/ranks-$ranks.db" --capture "$out/ranks-$ranks" --no-window
 done
 pictures=$(find "$out/ranks-1" -name '*.png' | wc -l)
 [ "$pictures" -eq 96 ] || fail "expected 2 people x 4 walls x 2 eyes x 6 frames = 96 pictures, found $pictures"
@@ -47,13 +48,16 @@ cmp -s "$out/ranks-1/front-anna-left-000005.png" "$out/ranks-1/front-ben-left-00
   fail "both see the same pictures"
 quietly "$carom" replay "$out/ranks-1.db" --capture "$out/again" --no-window
 diff -r "$out/ranks-1" "$out/again" || fail "a replay differs from what both saw"
+# Without spacetime, which stands about the present of the first who is shown.
+quietly "$carom" cave --rig "$out/desk-two.toml" --frames 6 --view my-now --view clocks --session "$out/alone.db" \
+  --capture "$out/alone" --no-window
 for name in anna ben; do
-  quietly mpirun --allow-run-as-root --oversubscribe -n 2 "$carom" replay "$out/ranks-1.db" --as "$name" \
+  quietly mpirun --allow-run-as-root --oversubscribe -n 2 "$carom" replay "$out/alone.db" --as "$name" \
     --capture "$out/as-$name" --no-window
   [ "$(find "$out/as-$name" -name "*-$name-*.png" | wc -l)" -eq 48 ] || fail "not all pictures of $name"
   [ "$(find "$out/as-$name" -name '*.png' | wc -l)" -eq 48 ] || fail "pictures of others than $name"
   for picture in "$out/as-$name"/*.png; do
-    cmp "$picture" "$out/ranks-1/$(basename "$picture")" || fail "as $name a replay differs from what $name saw"
+    cmp "$picture" "$out/alone/$(basename "$picture")" || fail "as $name a replay differs from what $name saw"
   done
 done
 "$carom" replay "$out/ranks-1.db" --as cleo --no-window 2>"$out/stderr" && fail "there is no cleo"

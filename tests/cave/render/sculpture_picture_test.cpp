@@ -117,7 +117,10 @@ class SculpturePicture : public testing::Test {
       normal += glm::cross(rim_m[i] - middle_m, rim_m[(i + 1) % rim_m.size()] - middle_m);
     const Vec3 down = glm::normalize(glm::normalize(normal) + Vec3(0.25, -0.35, 0.0));
     const Camera camera(middle_m + away_m * down, middle_m);
-    const Image image = draw(puck, world, record, camera);
+    // This puck alone, so that no other's line is near.
+    SculptedGame alone = game_;
+    alone.bodies = {game_.bodies[puck]};
+    const Image image = draw(alone, world, record, camera, 0.0F);
     for (std::size_t i = 0; i < rim_m.size(); ++i) {
       const glm::dvec2 at = camera(rim_m[i]);
       const glm::dvec2 before = camera(rim_m[(i + rim_m.size() - 1) % rim_m.size()]),
@@ -155,22 +158,18 @@ class SculpturePicture : public testing::Test {
     }
   }
 
- private:
-  /// With this puck alone, so that no other's line is near.
-  Image draw(std::size_t puck, const World& world, const FrameRecord& record, const Camera& camera) {
-    SculptedGame alone = game_;
-    alone.bodies = {game_.bodies[puck]};
-    RoomSculpture sculpture(alone);
+  static Image draw(const SculptedGame& game, const World& world, const FrameRecord& record,
+                    const Camera& camera, float background) {
+    RoomSculpture sculpture(game);
     sculpture.look(record, world, {}, camera.from_m, 0, {});
     RenderTarget picture(camera.wall.pixels);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer());
-    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    glClearColor(background, background, background, 0.0F);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     sculpture.draw(glm::mat4(camera.clipFromEye), picture.framebuffer(), picture.size_px());
     return readBack(picture);
   }
 
- protected:
   Graphics graphics_;
   SculptedGame game_;
 };
@@ -217,6 +216,41 @@ TEST_F(SculpturePicture, TheBrightLineIsWhereTheSeenRimIs) {
   EXPECT_GT(found.found, 0.9 * found.expected) << "of " << found.expected;
   EXPECT_GT(fast, 2);
   std::printf("%d points of %d found, %.2f px at most\n", found.found, found.expected, found.most_px);
+}
+
+// A resting red puck's shadow runs from its foot over the floor, along the same way of the room however the
+// sculpture is turned: red light passes, the other colours are taken.
+TEST_F(SculpturePicture, ItsShadowLiesOnTheFloor) {
+  BilliardSetup setup;
+  setup.lightSpeed_m_s = 1.42;
+  setup.pucks.push_back({"red", 0.06, 0.03, 0.2, Vec2(0.0), Vec2(0.0)});
+  Billiard billiard(setup);
+  World world;
+  world.histories = {restingWorldLine(setup.lightSpeed_m_s), billiard.worldLines()[0]};
+  FrameRecord record;
+  record.pucks = 1;
+  record.views.spacetime = 1;
+  ObserverView& observer = record.viewers[0].observer;
+  observer.headFromBoard = Lorentz(setup.lightSpeed_m_s);
+  observer.middle.observation = {0.0, {0.0, -1.6, 0.8}};
+  const SculptedGame game = test::sculptedOf(setup, glm::vec3(1.0F, 0.0F, 0.0F));
+  for (const double turn : {0.0, 1.2, 3.0}) {
+    SCOPED_TRACE(turn);
+    const Vec3 foot(1.0, 2.0, 0.0);
+    record.sculpture.place = {{foot, glm::angleAxis(turn, Vec3(0.0, 0.0, 1.0))}, 2.2, 0.25, 5.0, Vec3(0.0)};
+    // What is half a metre high has its shadow 0.11 m to the left and 0.025 m behind.
+    const Vec3 shadow = foot - 0.5 * Vec3(0.22, 0.05, 0.0), lit = foot + 0.5 * Vec3(0.22, 0.05, 0.0);
+    const Camera camera(foot + Vec3(-0.5, -1.5, 1.2), foot);
+    const Image image = draw(game, world, record, camera, 0.8F);
+    const auto at = [&](const Vec3& room_m, int colour) {
+      const glm::ivec2 pixel(camera(room_m));
+      return int{image.rgb[3 * static_cast<std::size_t>(pixel.y * image.size_px.x + pixel.x) +
+                           static_cast<std::size_t>(colour)]};
+    };
+    EXPECT_LT(at(shadow, 1), 0.75 * 204) << "green is taken";
+    EXPECT_GT(at(shadow, 0), at(shadow, 1) + 10) << "red passes rather";
+    EXPECT_NEAR(at(lit, 1), 204, 3) << "no shadow on the other side";
+  }
 }
 
 }  // namespace

@@ -238,7 +238,7 @@ TEST(EventMarks, AFlashWithAShortNameShowsIt) {
   const MarkContext sight{observer, observer.middle, {}, {}, 0, {}, {}, events, {}};
   LabelLayout crowd(sight);
   MarkBuffer batch;
-  const std::array<PlateText, 3> names{PlateText{}, plateText("B"), plateText("C")};
+  const std::array<std::string, 3> names{"lamp", "B", "C"};
   addEvents(sight, {}, names, crowd, batch);
   std::set<std::string> said;
   for (const MarkCorner& corner : batch.corners())
