@@ -134,6 +134,7 @@ void RecordedSource::next(const FrameTimes& times, const FrameInput& input, Oper
   decision.frame = shown_;
   FrameRecord& record = decision.frame.record;
   std::swap(record.viewers.front(), record.viewers[viewer_]);  // the walls are those of this viewer
+  record.firstOfRoom = viewer_;
   record.last = ends_ && moves && !more_;
   keepChanges(input.commands, settings, record);
   readOnly_.handled(input.desk, times.begin_s);

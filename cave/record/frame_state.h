@@ -65,6 +65,9 @@ struct ViewerState {
 struct FrameRecord {
   std::uint64_t viewerCount = 1;  ///< number of viewers, 1 to kMostViewers
   std::array<ViewerState, kMostViewers> viewers;
+  /// Which person of the room the first viewer is, who in that one's place is the room's first: 0 unless a
+  /// replay is another's.
+  std::uint64_t firstOfRoom = 0;
   std::uint64_t number = 0;
   double display_s = 0.0;      ///< session clock: when the light of this frame leaves the walls
   Lorentz boardFromRoom{1.0};  ///< the room's attitude and motion
@@ -97,6 +100,10 @@ struct FrameRecord {
   HeadsetState headset;
   double fade = 0.0;  ///< how black the walls are: 1 is wholly, as when a game begins
 
+  /// Returns the place in `viewers` of a person in the order of the room.
+  std::size_t ofRoom(std::size_t person) const {
+    return person == 0 ? firstOfRoom : person == firstOfRoom ? 0 : person;
+  }
   /// The viewers in the room.
   std::span<const ViewerState> present() const { return std::span(viewers).first(viewerCount); }
   std::span<ViewerState> present() { return std::span(viewers).first(viewerCount); }

@@ -223,6 +223,7 @@ void visit(Record& record, Fields& fields) {
   fields("display_s", record.display_s, kNumber);
   fields.section(FrameSection::observer);
   fields("viewers", record.viewerCount, FieldKind{1.0, kMostViewers, Stored::apart});
+  fields("first_of_room", record.firstOfRoom, FieldKind{0.0, kMostViewers - 1, Stored::notAtAll});
   fields("room_s", record.room_s, kNumber.in(Stored::apart));
   fields("board_from_room_", record.boardFromRoom, kNumber);
   fields.section(FrameSection::switches);

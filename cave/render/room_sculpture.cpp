@@ -26,8 +26,11 @@ constexpr double kOverFloor_m = 0.004;
 /// scaled.
 double fineOf(const SculpturePlace& place) { return std::exp2(std::floor(std::log2(kFine_m / place.scale))); }
 
+/// Returns the person about whose present spacetime stands.
+const ObserverView& firstOf(const FrameRecord& record) { return record.viewers[record.ofRoom(0)].observer; }
+
 SculptureMap mapOf(const FrameRecord& record) {
-  const ObserverView& first = record.viewers.front().observer;
+  const ObserverView& first = firstOf(record);
   return {record.sculpture.place, first.middle.observation, first.headFromBoard.lightSpeed_m_s()};
 }
 
@@ -67,7 +70,7 @@ void RoomSculpture::follow(const FrameRecord& record, const World& world) {
 }
 
 void RoomSculpture::followTubes(const FrameRecord& record, const World& world) {
-  const ObserverView& first = record.viewers.front().observer;
+  const ObserverView& first = firstOf(record);
   const Event& now = first.middle.observation;
   const SculpturePlace& place = record.sculpture.place;
   const double c_m_s = first.headFromBoard.lightSpeed_m_s(), fine_m = fineOf(place);
@@ -105,7 +108,7 @@ void RoomSculpture::chooseTriangles(const SculptureMap& map) {
 
 /// Spreads the surfaces of all viewers over the rectangle, and the cushions as panes.
 void RoomSculpture::makeSurfaces(const FrameRecord& record) {
-  const double c_m_s = record.viewers.front().observer.headFromBoard.lightSpeed_m_s();
+  const double c_m_s = firstOf(record).headFromBoard.lightSpeed_m_s();
   const auto corner = [&](const Event& event) {
     return glm::vec3(event.r_m.x, event.r_m.y, c_m_s * (event.t_s - base_s_));
   };
@@ -116,8 +119,8 @@ void RoomSculpture::makeSurfaces(const FrameRecord& record) {
       for (int x = 0; x <= cells; ++x) {
         const glm::dvec2 share(static_cast<double>(x) / cells, static_cast<double>(y) / cells);
         const glm::dvec2 place_m = shape_.low_m() + (shape_.high_m() - shape_.low_m()) * share;
-        corners_.push_back(
-            corner(surfaceEvent(record.viewers[viewer].observer, moment, place_m, shape_.game().top_m)));
+        corners_.push_back(corner(surfaceEvent(record.viewers[record.ofRoom(viewer)].observer, moment,
+                                               place_m, shape_.game().top_m)));
       }
     }
     for (std::uint32_t y = 0; y + 1 < row; ++y) {
@@ -141,7 +144,7 @@ void RoomSculpture::makeSurfaces(const FrameRecord& record) {
   triangles_.clear();
   const glm::dvec2 half_m = shape_.game().half_m;
   const std::array<glm::dvec2, 4> around{{-half_m, {half_m.x, -half_m.y}, half_m, {-half_m.x, half_m.y}}};
-  const double now_s = record.viewers.front().observer.middle.observation.t_s;
+  const double now_s = firstOf(record).middle.observation.t_s;
   const double reach_s = sculptureReach_s(record.sculpture.place, c_m_s);
   for (std::uint32_t k = 0; k < 4 && shape_.game().hasCushions; ++k) {
     for (const double t_s : {now_s - reach_s, now_s + reach_s})

@@ -349,13 +349,14 @@ void addSculpture(const SculptureSight& sight, MarkBuffer& batch) {
   Pen pen(sight, batch);
   addFrame(sight, pen);
   addRing(sight, pen);
-  for (std::size_t viewer = 0; viewer < sight.record.viewerCount; ++viewer) {
+  for (std::size_t person = 0; person < sight.record.viewerCount; ++person) {
+    const std::size_t viewer = sight.record.ofRoom(person);
     const float strength = viewer == sight.viewer ? 1.0F : 0.45F;
     addSurface(sight, viewer, ViewTime::seen, glm::vec4(kSeenColour, 0.6F * strength), pen);
     addSurface(sight, viewer, ViewTime::myNow, glm::vec4(kMyNowColour, 0.9F * strength), pen);
     addOwnLine(sight, viewer, glm::vec4(kMyNowColour, strength), pen);
   }
-  addSurface(sight, 0, ViewTime::boardNow, glm::vec4(kBoardNowColour, 0.9F), pen);
+  addSurface(sight, sight.record.ofRoom(0), ViewTime::boardNow, glm::vec4(kBoardNowColour, 0.9F), pen);
   for (const TubeCut& cut : sight.shape.cuts()) {
     const float strength = cut.viewer == sight.viewer ? 1.0F : 0.5F;
     const glm::vec3 colour = cut.moment == ViewTime::seen    ? kSeenColour

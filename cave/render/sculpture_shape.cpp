@@ -43,13 +43,14 @@ std::optional<SoftRim> SculptureShape::softRim(std::size_t body, const World& wo
                  world.histories[sculpted.body].lightSpeed_m_s()};
 }
 
-void SculptureShape::cut(std::size_t viewer, const FrameRecord& record, const World& world) {
+void SculptureShape::cut(std::size_t person, const FrameRecord& record, const World& world) {
+  const std::size_t viewer = record.ofRoom(person);
   const ObserverView& observer = record.viewers[viewer].observer;
   const Event& eye = observer.middle.observation;
   for (std::size_t body = 0; body < game_.bodies.size(); ++body) {
     const std::optional<SoftRim> soft = softRim(body, world);
     for (const ViewTime moment : {ViewTime::seen, ViewTime::myNow, ViewTime::boardNow}) {
-      if (moment == ViewTime::boardNow && viewer > 0) continue;
+      if (moment == ViewTime::boardNow && person > 0) continue;
       const double fine_m = moment == ViewTime::seen ? kFine_m : kMomentFine_m;
       const std::size_t every = everyFor(game_.bodies[body].puck, fine_m / record.sculpture.place.scale);
       rim_.clear();
@@ -99,9 +100,7 @@ void OwnLines::follow(const FrameRecord& record) {
 void SculptureShape::follow(const FrameRecord& record, const World& world) {
   cutCount_ = 0;
   spread(record);
-  for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
-    cut(viewer, record, world);
-  }
+  for (std::size_t person = 0; person < record.viewerCount; ++person) cut(person, record, world);
 }
 
 }  // namespace carom

@@ -60,7 +60,7 @@ class SculptureShape {
   const glm::dvec2& high_m() const { return high_m_; }
 
  private:
-  void cut(std::size_t viewer, const FrameRecord& record, const World& world);
+  void cut(std::size_t person, const FrameRecord& record, const World& world);
   void spread(const FrameRecord& record);
 
   SculptedGame game_;
