@@ -21,7 +21,8 @@ FRAMES = int(os.environ.get("CAROM_PAGE_FRAMES", 2))  # of each session
 MOST_PX, MOST_COLOUR, MOST_SOLVE_M, MOST_SOLVE_PX, MOST_UNLIKE = 0.5, 3.0, 1e-5, 0.01, 0.005
 PANELS = 0.3  # of a wall's height, from above
 USUAL_SHARE = 0.01
-LEAST_FREE = 0.7  # of the parts of outlines, and of the clocks
+LEAST_FREE = 0.75  # of the parts of outlines; where more than USUAL_SHARE may be covered, of these and of the clocks
+LEAST_FREE_MARKED = 0.3
 READABLE_PX = 20  # a clock's face is at least so wide
 
 
@@ -42,8 +43,9 @@ class Found:
                 f"{max(self.away_m):.2g} m, {max(self.away_px):.2g} px of the kernel")
 
     def check(self):
-        assert len(self.shifts) > LEAST_FREE * self.parts > 0 and max(self.shifts) < MOST_PX
-        assert max(self.colours) < MOST_COLOUR and max(self.shares) <= self.share and len(self.unlike) >= LEAST_FREE * self.clocks
+        least = LEAST_FREE if self.share <= USUAL_SHARE else LEAST_FREE_MARKED
+        assert len(self.shifts) > least * self.parts > 0 and max(self.shifts) < MOST_PX
+        assert max(self.colours) < MOST_COLOUR and max(self.shares) <= self.share and len(self.unlike) >= least * self.clocks
         assert max(self.unlike, default=0) < MOST_UNLIKE and max(self.away_m) < MOST_SOLVE_M and max(self.away_px) < MOST_SOLVE_PX
         assert not self.unlike or max(self.other_digits) > 2 * MOST_UNLIKE, "the test of digits is blind"
 

@@ -58,7 +58,7 @@ else
   play english single-screen english 180 1.5
   play flight single-screen "$out/flight.toml" 180 1.5
   play desk desk three-pucks 470 6.7 # the walk begins after five seconds
-  sessions=(welcome struck:0.1 two-cushions:0.1 english flight:0.1 desk)
+  sessions=(welcome struck:0.1 two-cushions:0.1 english:0.03 flight:0.12 desk)
 fi
 # An observer who rests elsewhere in the room, and one who goes at half the speed of light.
 for speed_m_s in 0 0.82; do

@@ -95,6 +95,7 @@ def moves_px(mine, other, border, inside, covered):
     strip = strip[free_of(covered, strip)]
     if len(strip) < len(border) / 2 or not stands_out(along(mine, strip)):
         return []
+    inside = inside[along(covered[..., None].astype(float), inside)[:, 0] == 0]
     places = numpy.concatenate([strip.reshape(-1, 2), inside])
     first, tried, found = along(mine, places), numpy.linspace(-2, 2, 81), numpy.zeros(2)
     for way in numpy.eye(2):
