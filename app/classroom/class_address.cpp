@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "cave/texts/texts.h"
+#include "cave/texts/class_texts.h"
 
 namespace carom {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "app/classroom/class_flow.h"
 #include "app/tables/html_text.h"
+#include "cave/texts/class_texts.h"
 #include "cave/texts/page_texts.h"
 #include "cave/texts/texts.h"
 #include "pages/class_css.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cave/texts/texts.h"
+#include "cave/texts/class_texts.h"
 
 namespace carom {
 namespace {
@@ -47,25 +47,25 @@ void Classroom::receive(Id id, const PhoneMessage& message, double now_s) {
 
 /// Takes a message. Returns why not, or null.
 const char* Classroom::take(Guest& guest, Id id, const PhoneMessage& message, double now_s) {
-  return std::visit(Each{[&](const PhoneHello& hello) { return join(guest, hello.token); },
-                         [&](const PhoneAnswer& given) { return answer(guest, given, now_s); },
-                         [&](const PhoneReason& reason) -> const char* {
-                           if (!flow_.isOpen() || reason.round != flow_.round())
-                             return texts::phone::kVoteClosed;
-                           return ballot_.explain(guest.token, reason.round, reason.words)
-                                      ? nullptr
-                                      : texts::phone::kAnswerFirst;
-                         },
-                         [&](const TeacherPin& pin) { return teach(guest, id, pin.pin, now_s); },
-                         [&](const TeacherStep& step) {
-                           return isTeacher(id) ? take(step.step, now_s) : texts::phone::kTeacherOnly;
-                         }},
-                    message);
+  return std::visit(
+      Each{[&](const PhoneHello& hello) { return isTeacher(id) ? nullptr : join(guest, hello.token); },
+           [&](const PhoneAnswer& given) { return answer(guest, given, now_s); },
+           [&](const PhoneReason& reason) -> const char* {
+             if (!flow_.isOpen() || reason.round != flow_.round()) return texts::phone::kVoteClosed;
+             return ballot_.explain(guest.token, reason.round, reason.words) ? nullptr
+                                                                             : texts::phone::kAnswerFirst;
+           },
+           [&](const TeacherPin& pin) { return teach(guest, id, pin.pin, now_s); },
+           [&](const TeacherStep& step) {
+             return isTeacher(id) ? take(step.step, now_s) : texts::phone::kTeacherOnly;
+           }},
+      message);
 }
 
 /// Gives a phone its place again, or a new one if its token is none of ours.
 const char* Classroom::join(Guest& guest, const std::string& token) {
   if (!guest.token.empty()) return nullptr;
+  guest.comesBack = !token.empty();
   if (tokens_.size() >= kMostPhones) {
     // Those that have gone and have not voted can be forgotten.
     std::set<std::string, std::less<>> present;

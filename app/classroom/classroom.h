@@ -93,6 +93,7 @@ class Classroom {
     std::string address, token;
     const char* refusal = nullptr;  ///< not told yet
     bool wasTeacher = false;
+    bool comesBack = false;  ///< with a token of this class or of one before
   };
   const char* take(Guest& guest, Id id, const PhoneMessage& message, double now_s);
   const char* join(Guest& guest, const std::string& token);

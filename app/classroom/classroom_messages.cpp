@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/classroom/classroom.h"
-#include "cave/texts/texts.h"
+#include "cave/texts/class_texts.h"
 
 namespace carom {
 namespace {
@@ -24,12 +24,13 @@ Json numbersOf(const VoteCounts& counts, std::size_t choices) {
   return numbers;
 }
 
-/// Returns the reasons that were given in a vote.
-Json reasonsIn(const ClassBallot& ballot, int round) {
+/// Returns the reasons that were given in the newest vote, and then those of the one before.
+Json reasonsIn(const ClassBallot& ballot, int newest) {
   Json reasons = Json::array();
-  if (round < 1) return reasons;
-  for (const auto& [token, vote] : ballot.votesOf(round)) {
-    if (!vote.reason.empty() && reasons.size() < kMostReasons) reasons.push_back(vote.reason);
+  for (int round = newest; round > 0; --round) {
+    for (const auto& [token, vote] : ballot.votesOf(round)) {
+      if (!vote.reason.empty() && reasons.size() < kMostReasons) reasons.push_back(vote.reason);
+    }
   }
   return reasons;
 }
@@ -80,6 +81,7 @@ std::string Classroom::messageFor(Id id) {
   if (!isIn(id)) return textOf(message);
   const int round = flow_.round();
   message["token"] = guest.token;
+  if (guest.comesBack || isTeacher(id)) message["word"] = invitation_.word;  // its page may have another
   message["state"] = kClassPhases.at(static_cast<std::size_t>(flow_.phase()));
   message["round"] = round;
   message["lesson"] = question_.lesson;

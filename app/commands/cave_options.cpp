@@ -224,12 +224,13 @@ void addClassAndStudy(CLI::App& command, const std::shared_ptr<CaveOptions>& opt
           .add_option(
               "--class-address", options->classAddress,
               "The address on which phones find the pages of a class or a study, in numbers. Default: "
-              "this computer's in the network of its default route")
+              "the rig's, else this computer's in the network of its default route")
           ->type_name("ADDRESS");
   CLI::Option* port =
-      command.add_option("--class-port", options->classPort, "The port of the pages; 0: any that is free")
+      command
+          .add_option("--class-port", options->classPort,
+                      "The port of the pages; 0: any that is free. Default: the rig's, else 8080")
           ->type_name("PORT")
-          ->capture_default_str()
           ->check(CLI::Range(0, 65535));
   command.parse_complete_callback([with, study, address, port] {
     const CLI::Option* given = address->count() > 0 ? address : port;

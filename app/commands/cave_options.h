@@ -43,8 +43,8 @@ struct CaveOptions {
   bool hasClass = false;     ///< a class answers by phone
   bool takes = false;        ///< after a game the wall offers its page
   bool follows = false;      ///< phones may follow the game live
-  std::string classAddress;  ///< on which its server listens; empty: that of the default route
-  std::uint16_t classPort = 8080;     ///< 0: any that is free
+  std::string classAddress;  ///< on which its server listens; empty: as the rig says
+  std::optional<std::uint16_t> classPort;  ///< 0: any that is free; none: as the rig says
   std::string link;                   ///< with which room, as app/link/link_address.h; empty: as the rig says
   std::filesystem::path study;        ///< a study whose participants come one after the other; empty: none
   std::filesystem::path slips;        ///< the codes of its participants

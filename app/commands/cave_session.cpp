@@ -168,12 +168,19 @@ const Lesson* lessonOf(const SessionSetup& setup) {
   return setup.scenario.lesson ? &*setup.scenario.lesson : nullptr;
 }
 
+/// Returns where phones find the pages: as the command line says, else as the rig does.
+ClassServerOptions pagesOf(const CaveOptions& options, const ClassSetup& rig) {
+  const std::string& address = options.classAddress.empty() ? rig.address : options.classAddress;
+  return {address.empty() ? addressOfDefaultRoute() : address, options.classPort.value_or(rig.port), "", ""};
+}
+
 /// Opens the class, if one takes part, and prints how to join.
 std::unique_ptr<ClassDesk> openClass(const CaveOptions& options, const SessionSetup& setup,
                                      const SetupOptions& inputs, const Before& before, CavePhones* phones) {
   if (!options.hasClass) return nullptr;
-  ClassServerOptions server{options.classAddress.empty() ? addressOfDefaultRoute() : options.classAddress,
-                            options.classPort, anyRoomWord(), anyPin()};
+  ClassServerOptions server = pagesOf(options, setup.rig.classroom);
+  server.word = anyRoomWord();
+  server.pin = anyPin();
   if (phones) server.followed = phones->followed();
   auto desk = std::make_unique<ClassDesk>(server, before.classroom);
   desk->play(lessonOf(setup), inputs.scenario.file.string());
@@ -193,12 +200,11 @@ struct StudyInputs {
 
 /// Opens the study with its codes, and prints where its pages are.
 std::unique_ptr<StudyDesk> openStudy(StudyInputs given, const CaveOptions& options,
-                                     const SetupOptions& inputs) {
+                                     const SetupOptions& inputs, const ClassSetup& rig) {
   StudyDeskOptions desk{
       *options.session, std::move(given.slips), options.isAmended, inputs.scenario.file.string(), {},
       inputs.rig.file};
-  desk.server = {options.classAddress.empty() ? addressOfDefaultRoute() : options.classAddress,
-                 options.classPort, "", ""};
+  desk.server = pagesOf(options, rig);
   auto opened = std::make_unique<StudyDesk>(std::move(given.study), std::move(desk));
   fmt::print("study: {}\n", opened->address());
   std::fflush(stdout);
@@ -231,7 +237,7 @@ struct LivePlay {
     if (phones) phones->play(setup, options.session.value_or(""));
     if (!given) return;
     journal.keep(nullptr);  // of a study the lessons alone are written
-    study = openStudy(*std::move(given), options, inputs);
+    study = openStudy(*std::move(given), options, inputs, setup.rig.classroom);
     studyListener.emplace(*study, leader);
     leader.allowOnly([this](const std::string& file) { return study->allows(file); });
     OperatorSettings settings = leader.settings();

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cave/texts/class_texts.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {

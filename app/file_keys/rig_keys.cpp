@@ -320,6 +320,15 @@ FileKey link() {
        inUnit("s", number("gone_s", kGone_s, "after this time without news the other room is gone", 6.0))});
 }
 
+FileKey classroom() {
+  constexpr int kMostPort = 65535;
+  return table("class", "where phones find the pages of --class and --study",
+               {text("address",
+                     "of this computer, in numbers; left out: that in the network of its default route; "
+                     "--class-address says otherwise"),
+                whole("port", 0, kMostPort, "0: any that is free; --class-port says otherwise", 8080)});
+}
+
 }  // namespace
 
 const FileKey& rigKeys() {
@@ -351,6 +360,7 @@ const FileKey& rigKeys() {
          table("console", "where the operator's console is on node 0's display when --console opens it",
                {required(window("window", "its window", true))}),
          link(),
+         classroom(),
          headset(),
          table("head", "the tracked head, of the one viewer of a room for one", withHead({})),
          hand(),

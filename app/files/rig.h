@@ -92,6 +92,12 @@ struct LinkSetup {
   double reach_m = 0.8, gone_s = 6.0;
 };
 
+/// Where phones find the pages of a class or a study.
+struct ClassSetup {
+  std::string address;        ///< in numbers; empty: that of the default route
+  std::uint16_t port = 8080;  ///< 0: any that is free
+};
+
 /// What the room spares its visitors.
 struct ComfortSetup {
   double most_u = kMostPlatformU;  ///< γβ beyond which the drive makes the platform no faster
@@ -121,6 +127,7 @@ struct Rig {
   ComfortSetup comfort;
   SpacetimeSetup spacetime;
   std::optional<LinkSetup> link{};
+  ClassSetup classroom{};
   std::filesystem::path playlist;          ///< of the room's visitors (app/files/playlist.h); empty: none
   std::optional<WindowPlacement> console;  ///< the operator's console, if it is requested
 };

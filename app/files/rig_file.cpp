@@ -89,6 +89,8 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   }
   if (const auto table = root.table("spacetime")) rig.spacetime = readSpacetime(*table, placed.unit_m);
   if (const auto link = root.table("link")) rig.link = readLink(*link, path);
+  if (const auto phones = root.table("class"))
+    rig.classroom = {phones->text("address", ""), static_cast<std::uint16_t>(phones->integer("port"))};
   if (const auto start = root.table("start")) rig.start = readStart(*start);
   if (const auto window = root.table("one_window")) rig.oneWindow = readWindow(*window);
   if (const auto console = root.table("console")) {

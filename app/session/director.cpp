@@ -103,6 +103,9 @@ void FrameLeader::followClass(Decision& decision) {
   if (!classroom_) return;
   classroom_->follow(settings_.lesson);
   classroom_->takeVotes(decision.votes);
+  std::erase_if(decision.answers, [](const LessonAnswer& given) {
+    return given.answer == texts::lesson::kSkipped;
+  });  // by phone
   for (const std::string& phase : classroom_->takePhases()) decision.notes.push_back({"class", phase});
   decision.frame.record.classroom = classroom_->view();
 }

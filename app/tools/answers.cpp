@@ -16,6 +16,9 @@
 namespace carom {
 namespace {
 
+/// With fewer votes on a question a distribution would tell what single students answered.
+constexpr std::size_t kLeast = 5;
+
 /// Returns whether an answer is the right one of a lesson; none if the lesson does not offer it.
 std::optional<bool> isRight(const std::optional<Lesson>& lesson, const std::string& answer) {
   if (!lesson) return {};
@@ -30,7 +33,8 @@ std::string csvOf(const std::vector<AnswerRow>& rows) {
   for (const AnswerRow& row : rows) {
     text += fmt::format("{},{},{},{},{},{:.3f},{},{},{}\n", csvField(row.lesson), csvField(row.question),
                         csvField(row.answer), row.isRight ? (*row.isRight ? "1" : "0") : "", row.attempt,
-                        row.seconds, csvField(row.viewer), row.group, row.frame);
+                        row.seconds, csvField(row.viewer), row.group > 0 ? std::to_string(row.group) : "",
+                        row.frame);
   }
   return text;
 }
@@ -71,10 +75,8 @@ std::string tableOf(const std::vector<AnswerRow>& rows) {
   return text;
 }
 
-/// Returns the votes of each question, answer by answer. With too few votes a distribution would tell what
-/// single students answered.
+/// Returns the votes of each question, answer by answer.
 std::string tableOf(const std::vector<VotedQuestion>& questions) {
-  constexpr std::size_t kLeast = 5;
   std::string text;
   for (const VotedQuestion& question : questions) {
     text += fmt::format("{}\n  {}\n  vote 1  vote 2\n", question.lesson, question.question);
@@ -152,6 +154,30 @@ std::vector<AnswerRow> answersOf(const std::vector<std::filesystem::path>& files
   return rows;
 }
 
+std::vector<AnswerRow> voteRowsOf(const std::vector<std::filesystem::path>& files,
+                                  const std::vector<VotedQuestion>& questions) {
+  std::vector<AnswerRow> rows;
+  for (const std::filesystem::path& file : files) {
+    for (const CountedVote& counted : SessionFile(file).votes()) {
+      const ClassVote& vote = counted.vote;
+      const auto question = std::find_if(questions.begin(), questions.end(), [&](const VotedQuestion& one) {
+        return one.lesson == vote.lesson && one.question == vote.question;
+      });
+      if (question == questions.end() || vote.round < 1 || vote.round > 2) continue;
+      const auto attempt = static_cast<std::size_t>(vote.round);
+      if (question->all[attempt - 1] < kLeast) continue;
+      const auto answer =
+          std::find_if(question->answers.begin(), question->answers.end(),
+                       [&](const VotedQuestion::Answer& one) { return one.words == vote.answer; });
+      constexpr std::size_t kClass = 0;
+      rows.push_back({vote.lesson, vote.question, vote.answer,
+                      answer != question->answers.end() ? answer->isRight : std::nullopt, attempt,
+                      vote.seconds, vote.token, kClass, counted.frame});
+    }
+  }
+  return rows;
+}
+
 void addAnswers(CLI::App& app, int& status) {
   struct Line {
     std::vector<std::filesystem::path> files;
@@ -172,10 +198,14 @@ void addAnswers(CLI::App& app, int& status) {
   command->footer(
       "Examples:\n  carom answers class-7.db\n  carom answers monday.db tuesday.db --csv answers.csv");
   command->callback([line, &status] {
-    const std::vector<AnswerRow> rows = answersOf(line->files);
+    std::vector<AnswerRow> rows = answersOf(line->files);
     WholeFile out(line->csv.value_or("-"));
     const std::vector<VotedQuestion> votes = votesOf(line->files);
     const std::string visitors = rows.empty() && !votes.empty() ? "" : tableOf(rows);
+    if (line->csv) {
+      const std::vector<AnswerRow> voted = voteRowsOf(line->files, votes);
+      rows.insert(rows.end(), voted.begin(), voted.end());
+    }
     out.commit(line->csv ? csvOf(rows) : visitors + tableOf(votes));
     status = 0;
   });

@@ -18,10 +18,10 @@ namespace carom {
 struct AnswerRow {
   std::string lesson, question, answer;
   std::optional<bool> isRight;  ///< none if the game's lesson has no such answer
-  std::size_t attempt = 1;      ///< of this group and viewer at this question, from 1
+  std::size_t attempt = 1;      ///< of this group and viewer at this question, from 1; of a class its vote
   double seconds = 0.0;         ///< from the question to the answer
-  std::string viewer;
-  std::size_t group = 1;  ///< visitors who came together, counted from 1 through all files
+  std::string viewer;           ///< of a class: the random number of the phone
+  std::size_t group = 1;        ///< visitors who came together, counted from 1 through all files; 0: a class
   std::uint64_t frame = 0;
 };
 
@@ -43,6 +43,12 @@ struct VotedQuestion {
 /// Returns the votes of session files by question, in the order in which they were first asked. Throws
 /// std::runtime_error if a file cannot be read.
 std::vector<VotedQuestion> votesOf(const std::vector<std::filesystem::path>& files);
+
+/// Returns the votes that `questions` counts, one row each, in the order in which they counted. Votes of
+/// fewer than five phones are left out: they would tell what single students answered. Throws
+/// std::runtime_error if a file cannot be read.
+std::vector<AnswerRow> voteRowsOf(const std::vector<std::filesystem::path>& files,
+                                  const std::vector<VotedQuestion>& questions);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addAnswers(CLI::App& app, int& status);

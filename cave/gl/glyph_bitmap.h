@@ -1,8 +1,10 @@
 #pragma once
-// Text as a bitmap, by VTK's FreeType.
+// Text as a bitmap: FreeType draws the letters, raqm places them (shaping and kerning by HarfBuzz).
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -16,11 +18,30 @@ struct GlyphBitmap {
   int below_px = 0;  ///< from the foot of the line (the same for all texts of that height) up to the box
 };
 
-/// DejaVu Sans, of the package fonts-dejavu-core: it has Greek letters, and VTK's own fonts have none.
+/// DejaVu Sans, of the package fonts-dejavu-core: Latin, Greek and Cyrillic letters, signs of physics.
 inline constexpr const char* kLettersFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-/// Returns a line of UTF-8 text in DejaVu Sans, or in Arial, which has no Greek, if DejaVu is not installed.
-/// Capitals are about 0.72 of `height_px` high. Returns an empty bitmap if the text covers no pixel.
-GlyphBitmap ink(const std::string& text, int height_px);
+/// A font of the chain in which each letter is looked for.
+struct LetterFont {
+  const char* file;
+  const char* package;  ///< that brings it
+};
+
+/// Returns the fonts of the chain, in the order in which a letter is looked for. Those behind the first may
+/// be missing on a computer.
+std::span<const LetterFont> letterFonts();
+
+/// Returns a line of UTF-8 text, from left to right, each letter of the first font that has it; a letter that
+/// no font has is a box. Capitals are about 0.72 of `height_px` high. Returns an empty bitmap if the text
+/// covers no pixel. Throws std::runtime_error if the first font is not installed.
+GlyphBitmap ink(std::string_view text, int height_px);
+
+/// Returns how wide a line is in the height in which letters are measured (kMeasured_px): the way of the pen.
+/// Throws as `ink` does.
+inline constexpr int kMeasured_px = 100;
+int widthOf_px(std::string_view text);
+
+/// Returns the letters of a text that no installed font has, each once.
+std::u32string lettersWithoutFont(std::string_view text);
 
 }  // namespace carom

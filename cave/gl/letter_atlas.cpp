@@ -9,6 +9,8 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
+#include "engine/base/code_points.h"
+
 namespace carom {
 namespace {
 
@@ -20,18 +22,6 @@ static_assert(kAscii + kMore.size() <= kLetterColumns * kLetterRows);
 constexpr unsigned kEm_px = 80;                                 // an advance is 0.602 of it
 constexpr int kCapital_px = 58;                                 // 0.729 of it
 constexpr int kFoot_px = (kLetterCell_px.y - kCapital_px) / 2;  // capitals and digits stand in the middle
-
-/// Takes one code point of UTF-8; of broken text a byte.
-char32_t takeCodePoint(std::string_view& text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::size_t more = byte(0) < 0xc0 ? 0 : byte(0) < 0xe0 ? 1 : byte(0) < 0xf0 ? 2 : 3;
-  char32_t point = more == 0 ? byte(0) : byte(0) & (0x3fU >> more);
-  std::size_t taken = 1;
-  for (; taken <= more && taken < text.size() && (byte(taken) & 0xc0U) == 0x80; ++taken)
-    point = point << 6 | (byte(taken) & 0x3fU);
-  text.remove_prefix(taken);
-  return point;
-}
 
 void drawLetter(FT_Face face, char32_t letter, int cell, LetterAtlas& atlas) {
   if (FT_Load_Char(face, letter, FT_LOAD_RENDER | FT_LOAD_NO_HINTING) != 0) return;
@@ -77,7 +67,7 @@ const LetterAtlas& letterAtlas() {
 }
 
 std::uint8_t takeLetter(std::string_view& text) {
-  const char32_t letter = takeCodePoint(text);
+  const char32_t letter = takeCodePoint(text).value_or(U'?');
   if (letter >= kFirst && letter < kFirst + kAscii) return static_cast<std::uint8_t>(letter - kFirst);
   const auto* more = std::find(kMore.begin(), kMore.end(), letter);
   return static_cast<std::uint8_t>(more == kMore.end() ? '?' - kFirst : kAscii + (more - kMore.begin()));

@@ -9,6 +9,7 @@
 #include "cave/overlay/panel_place.h"
 #include "cave/overlay/wall_buttons.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/class_texts.h"
 #include "cave/texts/page_texts.h"
 #include "cave/texts/texts.h"
 
@@ -16,12 +17,13 @@ namespace carom {
 namespace {
 
 constexpr double kCodeHeight = 0.26;  // of the picture's height
-constexpr double kMostWidth = 0.9;    // of the picture's width
+// Of the picture's width and height; above it is the band of the lesson.
+constexpr glm::dvec2 kMost{0.9, 0.45};
 // In the nominal height of the letters.
 constexpr double kPitch = 1.35, kBarPitch = 0.8, kBarHeight = 0.55, kPairGap = 0.3;
 constexpr double kBarLength = 11.0,
                  kShortBar = 5.0;  // of all votes; while the lesson explains, which needs the wall
-constexpr double kNumberWidth = 1.6, kCountWidth = 2.2, kPadding = 0.6;
+constexpr double kNumberWidth = 2.2, kCountWidth = 2.2, kPadding = 0.6;
 constexpr PanelPicture::Rgba kGround{12, 14, 18, 205}, kLight{255, 255, 255, 255}, kDark{0, 0, 0, 255};
 constexpr std::array<PanelPicture::Rgba, kVotes> kBars{{{96, 160, 255, 255}, {255, 170, 70, 255}}};
 constexpr glm::vec3 kWhite(235.0F), kGreen(110.0F, 225.0F, 140.0F);
@@ -37,38 +39,34 @@ double barLength(const ClassView& view) {
 /// Returns whether there is a distribution of a vote to show.
 bool isCounted(const ClassView& view, std::size_t vote) { return allOf(view.counts[vote]) > 0; }
 
-bool isSmall(const ClassView& view) {
-  return view.phase == ClassPhase::shown || view.phase == ClassPhase::explained;
-}
+/// Returns whether the code is small: once everybody has joined, the wall is the game's.
+bool isSmall(const ClassView& view) { return hasClass(view) && view.phase > ClassPhase::vote; }
+
+/// Returns whether there is a code: not while the lesson explains, which needs the wall.
+bool hasCode(const ClassView& view) { return view.phase != ClassPhase::explained; }
 
 }  // namespace
 
 std::vector<std::string> classLines(const ClassView& view) {
-  if (view.phase == ClassPhase::explained) return {};
-  if (view.word.words().empty())
-    return {texts::page::kTakeHome, std::string(view.address.words()), texts::page::kForAnHour};
-  std::vector<std::string> lines{std::string(view.address.words()),
-                                 fmt::format(texts::classroom::kRoom, view.word.words())};
+  const std::string address(view.address.words());
+  if (!hasClass(view)) return {texts::page::kTakeHome, address, texts::page::kForAnHour};
+  const std::string room = fmt::format(texts::classroom::kRoom, view.word.words());
   const bool isTooFew = view.answered > 0 && !isCounted(view, 0) && !isCounted(view, 1);
   switch (view.phase) {
     case ClassPhase::idle:
-      lines.push_back(fmt::format(texts::classroom::kPhones, view.phones));
-      break;
+      return {texts::classroom::kJoin, address, room, fmt::format(texts::classroom::kPhones, view.phones)};
     case ClassPhase::vote:
-      lines.push_back(fmt::format(texts::classroom::kVote, view.round, view.answered, view.phones));
-      break;
-    case ClassPhase::closed:
-      lines.push_back(fmt::format(texts::classroom::kClosed, view.round, view.answered));
+      return {fmt::format(texts::classroom::kVote, view.round, view.answered, view.phones), address, room};
+    case ClassPhase::closed: {
+      std::vector<std::string> lines{fmt::format(texts::classroom::kClosed, view.round, view.answered)};
       if (isTooFew) lines.emplace_back(texts::classroom::kTooFew);
-      break;
+      return lines;
+    }
     case ClassPhase::discuss:
-      lines.emplace_back(texts::classroom::kDiscuss);
-      break;
+      return {texts::classroom::kDiscuss};
     default:
-      break;
+      return {};
   }
-  if (!isSmall(view)) lines.insert(lines.begin(), texts::classroom::kJoin);
-  return lines;
 }
 
 int moduleOf_px(int picture_px, int modules, bool isSmall) {
@@ -82,6 +80,9 @@ int moduleOf_px(int picture_px, int modules, bool isSmall) {
 bool ClassBoard::showsBars() const {
   return view_.phase != ClassPhase::shown && (isCounted(view_, 0) || isCounted(view_, 1));
 }
+
+/// Returns whether a bar of each vote stands beside that of the other.
+bool ClassBoard::hasBoth() const { return isCounted(view_, 0) && isCounted(view_, 1); }
 
 int ClassBoard::barRows() const {
   return static_cast<int>(view_.choices) * ((isCounted(view_, 0) ? 1 : 0) + (isCounted(view_, 1) ? 1 : 0));
@@ -103,14 +104,25 @@ void ClassBoard::layOut(double scale) {
   if (showsBars()) {
     widest_px =
         std::max(widest_px, static_cast<int>((kNumberWidth + barLength(view_) + kCountWidth) * letter_px_));
-    high += kBarPitch * barRows() + kPairGap * static_cast<double>(view_.choices) + kPadding;
+    high += kBarPitch * (barRows() + (hasBoth() ? 1 : 0)) + kPairGap * static_cast<double>(view_.choices) +
+            kPadding;
   }
-  const int code_px = modules * module_px_, padding_px = static_cast<int>(kPadding * letter_px_);
-  size_px_ = {code_px + widest_px + 2 * padding_px, std::max(code_px, static_cast<int>(high * letter_px_))};
+  const int code_px = hasCode(view_) ? modules * module_px_ : 0;
+  size_px_ = glm::ivec2(code_px);
+  if (widest_px == 0) return;
+  size_px_.x += widest_px + 2 * static_cast<int>(kPadding * letter_px_);
+  size_px_.y = std::max(code_px, static_cast<int>(high * letter_px_));
+}
+
+/// Returns where words and bars begin, behind the code.
+int ClassBoard::begin_px() const {
+  const int code_px = hasCode(view_) ? (code_.side + 2 * kQuietModules) * module_px_ : 0;
+  return code_px + static_cast<int>(kPadding * letter_px_);
 }
 
 /// Paints the code with its border at the panel's upper left.
 void ClassBoard::paintCode() {
+  if (!hasCode(view_)) return;
   const int modules = code_.side + 2 * kQuietModules;
   const glm::ivec2 from_px{0, size_px_.y - modules * module_px_};
   panel_.fill(from_px, glm::ivec2(modules * module_px_), kLight);
@@ -126,8 +138,8 @@ void ClassBoard::paintCode() {
 /// Paints a bar for each vote and answer below this height.
 void ClassBoard::paintBars(int top_px) {
   const auto px = [this](double letters) { return static_cast<int>(letters * letter_px_); };
-  const int left_px = (code_.side + 2 * kQuietModules) * module_px_ + px(kPadding);
-  const int small_px = std::max(8, px(0.75));
+  const int left_px = begin_px();
+  const int small_px = std::max(8, px(0.85));
   for (std::size_t answer = 0; answer < view_.choices; ++answer) {
     const bool isRight = view_.right == answer + 1;
     const std::string number = texts::lesson::kAnswerNumbers.at(answer);
@@ -146,11 +158,20 @@ void ClassBoard::paintBars(int top_px) {
     }
     top_px -= px(kPairGap);
   }
+  if (!hasBoth()) return;
+  top_px -= px(kBarPitch);
+  int at_px = left_px;
+  for (std::size_t vote = 0; vote < kVotes; ++vote) {
+    const GlyphBitmap name = ink(texts::classroom::kVotes.at(vote), small_px);
+    panel_.fill({at_px, top_px}, glm::ivec2(px(kBarHeight)), kBars[vote]);
+    panel_.write({at_px + px(kBarPitch), top_px}, name, kWhite);
+    at_px += px(2.0 * kBarPitch) + name.size_px.x;
+  }
 }
 
 void ClassBoard::paint() {
   const auto px = [this](double letters) { return static_cast<int>(letters * letter_px_); };
-  const int left_px = (code_.side + 2 * kQuietModules) * module_px_ + px(kPadding);
+  const int left_px = begin_px();
   panel_.begin(size_px_, kGround);
   paintCode();
   int foot_px = size_px_.y - px(kPadding);
@@ -174,8 +195,9 @@ void ClassBoard::draw(const Wall& wall, const ClassView& view, const RenderTarge
     lines_.clear();
     for (std::string& line : classLines(view)) lines_.push_back({std::move(line), {}});
     layOut(wall.textSize);
-    const double most_px = kMostWidth * picture_px_.x;
-    if (size_px_.x > most_px) layOut(wall.textSize * most_px / size_px_.x);
+    const glm::dvec2 most_px = kMost * glm::dvec2(picture_px_);
+    const double share = std::min(most_px.x / size_px_.x, most_px.y / size_px_.y);
+    if (share < 1.0) layOut(wall.textSize * share);
     paint();
   }
   const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);

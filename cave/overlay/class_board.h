@@ -37,7 +37,9 @@ class ClassBoard {
   void paintCode();
   void paintBars(int top_px);
   bool showsBars() const;
+  bool hasBoth() const;
   int barRows() const;
+  int begin_px() const;
 
   PanelPicture panel_;
   ClassView view_;            ///< as it is painted

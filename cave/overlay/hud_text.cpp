@@ -14,6 +14,7 @@
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/class_texts.h"
 #include "cave/texts/texts.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -165,8 +166,12 @@ void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudCh
 void addQuestion(const SeenFrame& seen, const LessonWords& lesson, bool mayLeave, Lines& lines) {
   lines.wrap(lesson.question, texts::lesson::kQuestion);
   constexpr auto& kNumbers = texts::lesson::kAnswerNumbers;
-  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i)
-    lines.wrap(lesson.answers[i], kNumbers[i], false, {Kind::choose, static_cast<std::uint8_t>(i + 1)});
+  const bool isByPhone = hasClass(seen.record.classroom);
+  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i) {
+    const WallAction row{Kind::choose, static_cast<std::uint8_t>(i + 1)};
+    lines.wrap(lesson.answers[i], kNumbers[i], false, isByPhone ? WallAction{} : row);
+  }
+  if (isByPhone) return addButtons(seen, texts::classroom::kByPhone, {}, mayLeave, lines);
   addButtons(seen, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, mayLeave, lines);
 }
 

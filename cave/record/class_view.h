@@ -38,4 +38,7 @@ struct ClassView {
   bool operator==(const ClassView&) const = default;
 };
 
+/// Returns whether a class answers by phone, and the walls do not only offer a page to take home.
+inline bool hasClass(const ClassView& view) { return !view.word.words().empty(); }
+
 }  // namespace carom

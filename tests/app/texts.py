@@ -134,7 +134,7 @@ for unused in sorted((NOT_SHOWN | LITERALS | set(OWN_WORDS)) - needed):
 
 catalogue = (root / CATALOGUE).read_text()
 sources = "\n".join(file.read_text() for room in SCANNED + NAMING + ["app/page"] for file in (root / room).glob("*.*"))
-for file in (CATALOGUE, PAGE_TEXTS):
+for file in (CATALOGUE, "cave/texts/class_texts.h", PAGE_TEXTS):
     group = ""
     for found in re.finditer(r"(?m)^namespace ([\w:]+) \{|\b(k[A-Z]\w*) = |\b(k[A-Z]\w*)\{", (root / file).read_text()):
         group = found.group(1) or group

@@ -6,7 +6,7 @@ const part = id => document.getElementById(id);
 const kept = "carom-class-token";
 const store = (name, value) => { try { localStorage.setItem(name, value); } catch (e) { /* as a visitor without memory */ } };
 const stored = name => { try { return localStorage.getItem(name) || ""; } catch (e) { return ""; } };
-let token = stored(kept), pin = "", socket = null, state = null, shown = "", last = null, wait = 0, timer = 0, alive = 0;
+let token = stored(kept), pin = "", wasIn = false, socket = null, state = null, shown = "", last = null, wait = 0, timer = 0, alive = 0;
 
 const fill = (words, ...values) => words.replace(/\{\}/g, () => values.shift());
 const say = (id, words) => { const at = part(id); if (at.textContent !== words) at.textContent = words; };
@@ -39,12 +39,12 @@ function greet() {
   send(isTeacher ? { pin: pin } : { hello: token });
 }
 
-// Asks whether the class is still there, after sleep or another network.
+// Asks whether the class is still there, after sleep or another network. A PIN is sent once: it takes the lead.
 function wake() {
   if (document.hidden || (isTeacher && !pin)) return;
   if (!socket || socket.readyState !== 1) return join();
   const before = alive;
-  greet();
+  send({ hello: token });
   setTimeout(() => { if (alive === before) join(); }, 2000);
 }
 
@@ -53,21 +53,36 @@ function heard(event) {
   const told = JSON.parse(event.data);
   say("refused", told.refused || "");
   if (!told.state) {
-    if (isTeacher && told.refused) { pin = ""; part("enter").hidden = false; part("pin").focus(); }
+    if (isTeacher && told.refused) askPin(wasIn ? T.newPin : told.refused);
     return;
   }
   say("link", T.joined);
+  wasIn = isTeacher;
   state = told;
+  say("word", told.word);
   if (told.token) { token = told.token; if (!isTeacher) store(kept, token); }
   draw();
   answerAgain();
+}
+
+// Asks the teacher for the PIN, and says why.
+function askPin(why) {
+  pin = "";
+  wasIn = false;
+  say("refused", why);
+  say("link", "");
+  part("enter").hidden = false;
+  part("steps").hidden = part("now").hidden = true;
+  socket.onclose = null;
+  socket.close();
+  part("pin").focus();
 }
 
 // A vote that was open when the class's computer broke off is open again: what was answered is answered again.
 function answerAgain() {
   if (state.state !== "vote") last = null;
   if (!last || state.yours || isTeacher) return;
-  if (last.question === state.question && last.message.round === state.round) send(last.message);
+  if (last.question === state.question && last.round === state.round) last.messages.forEach(send);
 }
 
 function radios(into, name, words) {
@@ -124,18 +139,15 @@ function drawBars() {
 function drawTeacher() {
   part("steps").hidden = !isTeacher;
   if (!isTeacher) return;
-  if (state.teacher === false) {
-    pin = "";
-    say("refused", T.taken);
-    part("enter").hidden = false;
-    part("steps").hidden = true;
-    socket.onclose = null;
-    socket.close();
-    return;
-  }
+  if (state.teacher === false) return askPin(T.taken);
   part("enter").hidden = true;
   say("hint", state.hint || "");
-  for (const button of part("buttons").children) button.disabled = !(state.steps || []).includes(button.value);
+  const onwards = { idle: "ask", vote: "close", closed: state.round < 2 ? "discuss" : "show", discuss: "again", shown: "explain",
+    explained: "next" }[state.state];
+  for (const button of part("buttons").children) {
+    button.disabled = !(state.steps || []).includes(button.value);
+    button.className = button.value === onwards ? "" : "other";
+  }
   const reasons = state.reasons || [];
   part("heard").hidden = !reasons.length;
   part("reasons").replaceChildren(...reasons.map(words => make("li", words)));
@@ -145,14 +157,14 @@ function draw() {
   part("now").hidden = false;
   const vote = state.state === "vote", closed = state.state === "closed";
   say("lesson", state.lesson);
-  say("phase", vote || closed ? fill(vote ? T.vote : T.closed, state.round) : T[state.state]);
+  say("phase", isTeacher && state.state === "idle" ? "" : vote || closed ? fill(vote ? T.vote : T.closed, state.round) : T[state.state]);
   say("count", state.round ? fill(T.count, state.answered, state.phones) : fill(T.phones, state.phones));
   say("question", state.state === "idle" ? "" : state.question);
   drawVote();
   const yours = state.yours ? state.answers[state.yours - 1] : "";
-  const first = state.first ? fill(T.first, state.answers[state.first - 1]) + " " : "";
-  say("said", isTeacher || state.state === "idle" ? "" :
-    first + (vote ? (yours ? fill(T.counted, yours) : "") : yours ? fill(T.yours, yours) : ""));
+  const told = !isTeacher && state.state !== "idle";
+  say("first", told && state.first ? fill(T.first, state.answers[state.first - 1]) : "");
+  say("said", told && yours ? fill(vote ? T.counted : T.yours, yours) : "");
   drawBars();
   drawTeacher();
 }
@@ -163,9 +175,9 @@ part("vote").addEventListener("submit", event => {
   if (!answer) return say("refused", T.chooseFirst);
   const message = { answer: answer, round: state.round };
   if (sure) message.confidence = sure;
-  last = { question: state.question, message: message };
-  send(message);
-  if (words) send({ reason: words, round: state.round });
+  last = { question: state.question, round: state.round, messages: [message] };
+  if (words) last.messages.push({ reason: words, round: state.round });
+  last.messages.forEach(send);
 });
 part("enter").addEventListener("submit", event => {
   event.preventDefault();

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/tables/html_text.h"
-#include "cave/texts/texts.h"
+#include "cave/texts/class_texts.h"
 
 namespace carom {
 namespace {
@@ -31,7 +31,7 @@ TEST(ClassPages, AreFilledWithTheCatalogue) {
               text->find("ws://") == std::string::npos ? std::string::npos : text->find("ws://") + 2)
         << "nothing but the socket has an address";
   }
-  EXPECT_NE(pages.page.find("<strong>&lt;KIWI&gt;</strong>"), std::string::npos);
+  EXPECT_NE(pages.page.find(">&lt;KIWI&gt;</strong>"), std::string::npos);
   for (const texts::phone::Named& text : texts::phone::kPage)
     EXPECT_NE(pages.page.find(htmlOf(text.words)), std::string::npos) << text.name;
   for (const texts::phone::Named& text : texts::phone::kScript) {

@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/web_client.h"
-#include "cave/texts/texts.h"
+#include "cave/texts/class_texts.h"
 
 namespace carom {
 namespace {

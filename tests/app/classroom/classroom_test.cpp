@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cave/texts/texts.h"
+#include "cave/texts/class_texts.h"
 
 namespace carom {
 namespace {
@@ -64,6 +64,34 @@ TEST_F(Class, TellsAPhoneHowThingsStand) {
   EXPECT_EQ(after["round"], 1);
   EXPECT_EQ(after["yours"], 2);
   EXPECT_EQ(after["answered"], 1);
+}
+
+TEST_F(Class, TellsItsWordToPagesThatMayHaveAnother) {
+  EXPECT_FALSE(told(phone()).contains("word"));
+  EXPECT_EQ(told(phone("of a session before"))["word"], "KIWI");
+  const auto leads = teacher();
+  EXPECT_EQ(told(leads)["word"], "KIWI");
+  // The teacher's page asks now and then whether the class is there: it does not become a phone.
+  room_.receive(leads, PhoneHello{""}, now_s_);
+  EXPECT_EQ(told(leads)["phones"], 2);
+  EXPECT_EQ(told(leads)["token"], "");
+  EXPECT_TRUE(room_.isTeacher(leads));
+}
+
+TEST_F(Class, TellsTheTeacherTheReasonsOfBothVotes) {
+  const auto all = phones(2);
+  const auto leads = teacher();
+  take(ClassStep::ask);
+  answer(all[0], 1);
+  room_.receive(all[0], PhoneReason{"first", 1}, now_s_);
+  take(ClassStep::close);
+  take(ClassStep::discuss);
+  take(ClassStep::again);
+  EXPECT_EQ(told(leads)["reasons"], Json::parse(R"(["first"])"));
+  answer(all[1], 2);
+  room_.receive(all[1], PhoneReason{"second", 2}, now_s_);
+  EXPECT_EQ(told(leads)["reasons"], Json::parse(R"(["second", "first"])"));
+  EXPECT_FALSE(told(all[0]).contains("reasons"));
 }
 
 TEST_F(Class, CountsOneVoteAPhoneAndTheLastAnswer) {

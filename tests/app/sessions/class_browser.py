@@ -41,7 +41,7 @@ class Page(BrowserPage):
             self.press(reason)
         self.tab_to("at.id === 'send'")
         self.press(Keys.ENTER)
-        self.until(lambda: "counted" in self.text("said"), "the vote is counted")
+        self.until(lambda: "Counted" in self.text("said"), "the vote is counted")
 
     def choose(self, number):
         self.press(Keys.SPACE)
@@ -167,7 +167,7 @@ def lesson(wall):
     shoot("vote-1")
     phones[2].driver.refresh()  # reloads, and is back with its answer
     begun = time.monotonic()
-    phones[2].until(lambda: "counted" in phones[2].text("said"), "back with its answer")
+    phones[2].until(lambda: "Counted" in phones[2].text("said"), "back with its answer")
     back_s = time.monotonic() - begun
     assert back_s < 3.0, back_s
     assert "<script>alert(1)</script>" in teacher.text("reasons"), "a reason is text"

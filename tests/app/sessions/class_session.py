@@ -99,8 +99,10 @@ others = []
 
 async def whole_lessons(port):
     """Two lessons; then keys on the wall; then the session is killed while the second vote is open."""
-    session = Session("--scenario", "seen-at-once", "--session", file, "--class", "--class-address", "127.0.0.1",
-                      "--class-port", port)
+    with open(out / "room.toml", "a") as rig:
+        rig.write(f'\n[class]\naddress = "127.0.0.1"\nport = {port}\n')
+    session = Session("--scenario", "seen-at-once", "--session", file, "--class")
+    assert session.address == f"http://127.0.0.1:{port}/", "as the rig says"
     global others
     others = session.listening()
     others.remove(port)  # the rest are MPI's
@@ -172,6 +174,7 @@ async def resumed(port, tokens):
                             "127.0.0.1", "--class-port", str(port)], capture_output=True, text=True)
     assert taken.returncode == 1 and f"class: port {port} of 127.0.0.1 is taken by another program" in taken.stderr, taken
     session.end()
+    assert not rows("SELECT 1 FROM answer WHERE answer = '(skipped)'"), "who answers by phone skips nothing on the wall"
     text = subprocess.run([carom, "answers", file], capture_output=True, text=True, check=True).stdout
     assert "vote 1  vote 2" in text and text.count("phones that voted: 6, then 6") == 2, text
     assert "phones that voted: 12, then 6" in text, text

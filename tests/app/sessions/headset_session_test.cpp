@@ -365,6 +365,17 @@ TEST_F(HeadsetSession, EveryFrameIsWhatARigWithTheSameWallsAndEyesShows) {
   expectSamePictures(live, again);
 }
 
+TEST_F(HeadsetSession, SoftPucksAreSeenAndReplayed) {
+  const std::string live = (folder_ / "live").string(), again = (folder_ / "again").string();
+  const test::ProgramResult played =
+      play(walk(80), {"cave", "--rig", "headset", "--scenario", "jellies", "--session", database(),
+                      "--capture", live, "--view", "my-now", "--view", "strain"});
+  ASSERT_EQ(played.status, 0) << played.err;
+  const test::ProgramResult replayed = play({}, {"replay", database(), "--capture", again});
+  ASSERT_EQ(replayed.status, 0) << replayed.err;
+  expectSamePictures(live, again);
+}
+
 TEST_F(HeadsetSession, WhatARuntimeLacksOrDoesWrongIsSaidAndTheSessionGoesOn) {
   std::vector<Scripted> script = walk(96);
   for (Scripted& frame : script) frame.flags = XR_VIEW_STATE_ORIENTATION_VALID_BIT;

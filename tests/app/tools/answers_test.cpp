@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/files/scenario.h"
 #include "app/journal_frames.h"
 #include "app/program.h"
@@ -124,6 +126,11 @@ TEST_F(Answers, CountTheVotesOfAClass) {
       << "four votes have no distribution: " << printed.out;
   EXPECT_NE(printed.out.find("  phones that voted: 7, then 4\n"), std::string::npos) << printed.out;
   EXPECT_EQ(printed.out.find("nobody was asked"), std::string::npos) << printed.out;
+  // One row a vote, of the first round alone: four votes tell what single students answered.
+  const auto csv = runCarom(folder_, {"answers", file_.string(), "--csv", "-"});
+  EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 1 + 7) << csv.out;
+  EXPECT_NE(csv.out.find(",0,1,3.000,phone1,,1\n"), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find(",1,1,3.000,phone7,,1\n"), std::string::npos) << csv.out;
 }
 
 }  // namespace

@@ -119,6 +119,14 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   for (const auto& [line, answer] : {std::pair{3U, 1}, {4U, 2}, {5U, 2}, {6U, 3}})
     EXPECT_EQ(lines[line].row, (WallAction{WallAction::Kind::choose, static_cast<std::uint8_t>(answer)}));
   EXPECT_FALSE(lines[2].isRow() || lines[7].isRow());
+  // A class answers by phone: there is nothing to press.
+  record.lesson.phase = LessonPhase::asks;
+  record.classroom.phase = ClassPhase::vote;
+  record.classroom.word = Notice("KIWI");
+  EXPECT_EQ(said(record, kLesson).back(), "Answer by phone.[Leave  F7]");
+  describe(record, kLesson, {}, {}, kLineLetters, lines);
+  EXPECT_TRUE(std::none_of(lines.begin(), lines.end(), [](const HudLine& line) { return line.isRow(); }));
+  record.classroom = {};
   for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
     record.lesson.phase = phase;
     const auto mayLeave = [&](bool may) {
