@@ -59,7 +59,7 @@ function heard(event) {
   say("link", T.joined);
   wasIn = isTeacher;
   state = told;
-  say("word", told.word);
+  if (told.word) say("word", told.word);
   if (told.token) { token = told.token; if (!isTeacher) store(kept, token); }
   draw();
   answerAgain();

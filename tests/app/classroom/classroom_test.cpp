@@ -88,7 +88,7 @@ TEST_F(Class, TellsTheTeacherTheReasonsOfBothVotes) {
   take(ClassStep::discuss);
   take(ClassStep::again);
   EXPECT_EQ(told(leads)["reasons"], Json::parse(R"(["first"])"));
-  answer(all[1], 2);
+  answer(all[1], 2, 2);
   room_.receive(all[1], PhoneReason{"second", 2}, now_s_);
   EXPECT_EQ(told(leads)["reasons"], Json::parse(R"(["second", "first"])"));
   EXPECT_FALSE(told(all[0]).contains("reasons"));
