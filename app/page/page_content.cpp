@@ -14,6 +14,7 @@
 #include "app/page/page_shaders.h"
 #include "cave/frame/bodies.h"
 #include "cave/gl/view_colours.h"
+#include "cave/render/body_shaders.h"
 #include "cave/room/wall_eyes.h"
 #include "cave/texts/page_texts.h"
 #include "engine/light/spin_steps.h"
@@ -88,6 +89,7 @@ Json bodiesOf(const Visit& visit, const Scene& scene) {
     for (const Knot& knot : line.knots()) knots.push_back(numbersOf(knot));
     bodies.push_back({{"name", name},
                       {"reach_m", scene.reach_m[body]},
+                      {"stripes_m", ghostStripes_m(scene.reach_m[body])},
                       {"radius_m", std::isfinite(line.radius_m()) ? Json(line.radius_m()) : Json("endless")},
                       {"appears_s", std::isfinite(line.appears_s()) ? Json(line.appears_s()) : Json(nullptr)},
                       {"knots", std::move(knots)}});

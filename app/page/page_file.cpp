@@ -34,9 +34,10 @@ std::string engineLetters() {
   return pages::engine_b64;
 #else
   throw std::runtime_error(
-      "this program was built without the engine for browsers, expected one that was built where "
-      "config/install-packages "
-      "page had installed clang-19, lld-19, libc++-19-dev-wasm32 and wasi-libc");
+      "this program was built without the engine for browsers, expected one that was configured and built "
+      "after "
+      "config/install-packages page had installed clang-19, lld-19, libc++-19-dev-wasm32, "
+      "libc++abi-19-dev-wasm32, libclang-rt-19-dev-wasm32 and wasi-libc");
 #endif
 }
 

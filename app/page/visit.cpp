@@ -188,6 +188,7 @@ Visit visitOf(const std::filesystem::path& file, double until_s) {
   constexpr double kFrame_s = 0.05;
   Visit visit;
   visit.scenario = readScenario(file);
+  visit.scenario.captions.clear();  // they are told to visitors of the room
   checkGame(visit.scenario, file.string());
   visit.atStart = startingHistories(visit.scenario);
   visit.eyeBesideMiddle_m = kEyeBeside_m * visit.axes.right;

@@ -20,8 +20,6 @@ namespace {
 constexpr float kAlways_m = -1e30F;       // means that the body has always existed
 constexpr float kDecalNearer = 0.002F;    // fraction of the distance by which a decal is drawn nearer
 constexpr float kBodiesNearer = 0.0005F;  // the same of the last body
-constexpr float kHatch = 0.5F;            // of a ghost, as a fraction of its body's reach from its centre
-constexpr float kMostHatch_m = 0.08F;     // of large bodies
 constexpr float kSoftGloss = 0.3F;
 constexpr double kPointReach_m = 0.03;  // stands for that of a told body
 constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
@@ -216,8 +214,7 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   const float share = static_cast<float>(part.body) / static_cast<float>(scene_.bodyCount);
   uniforms.nearer = ghost || part.paint == Paint::shadow ? kDecalNearer : kBodiesNearer * share;
   uniforms.ghostColour = linearOf(moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
-  uniforms.hatch_m = std::min(
-      kMostHatch_m, kHatch * static_cast<float>(scene_.reach_m.empty() ? 1.0 : scene_.reach_m[part.body]));
+  uniforms.hatch_m = ghostStripes_m(scene_.reach_m.empty() ? 1.0 : scene_.reach_m[part.body]);
   return uniforms;
 }
 
@@ -262,7 +259,7 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   const float share = static_cast<float>(body) / static_cast<float>(scene_.bodyCount);
   uniforms.nearer = ghost || isShadow ? kDecalNearer : kBodiesNearer * share;
   uniforms.ghostColour = linearOf(chosen.moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
-  uniforms.hatch_m = kHatch * static_cast<float>(model.told ? kPointReach_m : model.reach_m());
+  uniforms.hatch_m = ghostStripes_m(model.told ? kPointReach_m : model.reach_m());
   uniforms.middleMotion = glm::vec4(gammaFromU(bound.middleU), bound.middleU);
   if (switches_ == kNoSwitches) uniforms.middleMotion = {1.0F, 0.0F, 0.0F, 0.0F};
   uniforms.telling = static_cast<int>(soft_.told());

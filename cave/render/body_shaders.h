@@ -1,6 +1,7 @@
 #pragma once
 // The shader texts for drawing bodies, assembled from their files.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,12 @@ std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches,
                              ViewTime moment = ViewTime::seen, bool followsLamps = false);
 std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen,
                                   bool followsLamps = false);
+
+/// Returns how far apart the stripes in the ghost of a body are, which reaches so far from its centre.
+constexpr float ghostStripes_m(double reach_m) {
+  constexpr float kMost_m = 0.08F;  // of large bodies
+  return std::min(kMost_m, 0.5F * static_cast<float>(reach_m));
+}
 
 /// The same texts in parts, to be joined: most parts are those of many shaders.
 using ShaderParts = std::vector<std::string>;

@@ -19,7 +19,7 @@ inline constexpr std::array<PageText, 3> kPage{
      {"still", "What was seen, halfway through"}}};
 
 /// For its script.
-inline constexpr std::array<PageText, 48> kScript{{
+inline constexpr std::array<PageText, 50> kScript{{
     {"cut", "This page is not whole: it was cut off on its way. Please fetch it again."},
     {"noWebgl",
      "This browser cannot draw the visit: it lacks WebGL 2. The picture shows one moment of it. Another "
@@ -58,13 +58,19 @@ inline constexpr std::array<PageText, 48> kScript{{
     {"clock", "Your clock: {} s. The table's: {} s. Your speed: {} of light's."},
     {"held", "The recording ends here: more was not seen by anybody."},
     {"heldPast", "Nobody is faster than 0.999 of light here."},
-    {"lookHow", "Drag to look round; two fingers or the wheel change how wide you see."},
+    {"lookHow",
+     "Drag to look round; two fingers or the wheel widen the view. Choices: the eyes of other observers."},
+    {"playOn", "Try it: play on yourself."},
+    {"order",
+     "What you have heard of, by the table's clocks, and as which number it happened by your own time: "
+     "others "
+     "may count otherwise."},
     {"driveHow", "W A S D or the arrows push you, or drag in the lower left corner."},
     {"standHow", "Drag to look; arrows choose where you stand."},
     {"menu", "Choices"},
     {"tryIt", "Try it"},
     {"tryHow", "Drag from a puck and let go: your stroke travels to it at the speed of light."},
-    {"back", "Back to the visit"},
+    {"back", "Back"},
     {"lost", "The graphics card was taken away. Waiting for it …"},
     {"before", "Back one frame"},
     {"after", "On one frame"},

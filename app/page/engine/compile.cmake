@@ -1,16 +1,21 @@
 # The engine as WebAssembly, for pages in a browser: compiled from the same sources by clang and wasi-libc (Debian's packages,
 # config/packages-page.txt). carom_page_engine(OUT) makes OUT, the module compressed and written as letters; without the
-# compiler nothing is made, and CAROM_BROWSER is off.
+# compiler CAROM_BROWSER is off, and nothing is made.
 find_program(CAROM_WASM_CLANG clang++-19)
 find_program(CAROM_WASM_LINK wasm-ld-19)
 set(CAROM_WASI /usr/lib/wasm32-wasi)
 file(GLOB CAROM_WASM_BUILTINS /usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a)
 set(found OFF)
+option(CAROM_BROWSER "Compile the engine for browsers, too, where their compiler is found: carom page" ON)
 if(CAROM_WASM_CLANG AND CAROM_WASM_LINK AND CAROM_WASM_BUILTINS AND EXISTS ${CAROM_WASI}/crt1-reactor.o
    AND EXISTS ${CAROM_WASI}/libc++.a)
   set(found ON)
 endif()
-option(CAROM_BROWSER "Compile the engine for browsers, too: carom page" ${found})
+# Not in the cache, so that it is found once it is installed.
+if(CAROM_BROWSER AND NOT found)
+  message(STATUS "No compiler for browsers: config/install-packages page installs it. carom page will make no pages.")
+  set(CAROM_BROWSER OFF)
+endif()
 
 function(carom_page_engine out)
   file(GLOB sources CONFIGURE_DEPENDS

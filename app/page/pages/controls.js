@@ -1,6 +1,6 @@
 // What a person does with the page: time, observers, effects, events; by mouse, finger and keys.
 const kUsualHalf = 0.7, kLeastHalf = 0.1, kMostHalf = 2.5, kLongestStep_s = 0.1, kSpeeds = [0.1, 0.25, 0.5, 1, 2];
-const kSlowFrame_ms = 70, kLeastScale = 0.3, kStick_px = 90;
+const kSlowFrame_ms = 70, kQuickFrame_ms = 25, kLeastScale = 0.3, kStick_px = 90;
 const kPushKeys = { w: [0, 1], s: [0, -1], a: [-1, 0], d: [1, 0], arrowup: [0, 1], arrowdown: [0, -1], arrowleft: [-1, 0], arrowright: [1, 0] };
 
 function make(kind, words, name) {
@@ -80,6 +80,7 @@ class Controls {
     this.pace.select.value = String(kSpeeds.indexOf(1));
     this.bar.append(this.pace);
     if (this.shown.live) this.bar.replaceChildren(this.clock); // its time is that of the room
+    else this.tryButton = this.button(texts.tryIt, texts.tryIt, () => (this.game ? this.leaveGame() : this.beginGame()), "key");
     this.menuButton = this.button("☰ " + texts.menu, texts.open, () => this.showMenu(this.menu.hidden));
     this.menu = make("section", "", "menu");
     this.menu.setAttribute("aria-label", texts.menu);
@@ -92,8 +93,8 @@ class Controls {
     all.append(head, this.aim, this.menu, this.bar);
   }
 
-  button(sign, words, work) {
-    const made = make("button", sign);
+  button(sign, words, work, name) {
+    const made = make("button", sign, name);
     made.title = words;
     made.setAttribute("aria-label", words);
     made.addEventListener("click", guarded(work));
@@ -127,10 +128,7 @@ class Controls {
     this.menu.append(this.observers);
     const walls = [[texts.free, null], ...about.walls.map(wall => [fill(texts.wall, wall.name), wall])];
     if (about.walls.length) this.menu.append(this.choice(texts.look, walls, wall => { this.wall = wall; }));
-    this.tryButton = make("button", texts.tryIt, "wide");
-    this.tryButton.hidden = Boolean(this.shown.live);
-    this.tryButton.addEventListener("click", guarded(() => (this.game ? this.leaveGame() : this.beginGame())));
-    this.menu.append(this.tryButton, make("h2", texts.effects));
+    this.menu.append(make("h2", texts.effects));
     ["retardation", "contraction", "aberration"].forEach((name, i) =>
       this.check(texts[name], (first.effects >> i) & 1, isOn => {
         const bits = this.effects === null ? this.view.effects : this.effects;
@@ -144,7 +142,7 @@ class Controls {
       }));
     this.menu.append(make("h2", texts.events));
     this.list = make("ol", "", "events");
-    this.menu.append(this.list);
+    this.menu.append(make("p", texts.order, "facts"), this.list);
   }
 
   showMenu(isShown) {
@@ -173,15 +171,25 @@ class Controls {
     if (mode === "ride") this.look.raise = -0.1;
   }
 
+  watchAs(wanted) {
+    this.stale = true;
+    return this.watcher.set(wanted);
+  }
+
   beginGame() {
     this.game = new OwnGame(this.shown, this.view);
-    this.tryButton.textContent = texts.back;
+    this.sayTry(texts.back);
     this.showPlaying(true);
+  }
+
+  sayTry(words) {
+    this.tryButton.textContent = this.tryButton.title = words;
+    this.tryButton.setAttribute("aria-label", words);
   }
 
   leaveGame() {
     this.game = null;
-    this.tryButton.textContent = texts.tryIt;
+    this.sayTry(texts.tryIt);
     this.watcher.walking = false;
     this.shown.known.begin();
     this.stale = true;
@@ -224,18 +232,22 @@ class Controls {
     return V.add(V.times(forward, ahead), V.times(V.cross(forward, axes.up), right));
   }
 
-  // Draws fewer pixels where they take long.
+  // Draws fewer pixels where they take long, and more again where they do not.
   adapt(passed_ms) {
     this.slow = passed_ms > kSlowFrame_ms && passed_ms < 2000 ? (this.slow || 0) + 1 : 0;
-    if (this.slow >= 4 && this.scale > kLeastScale) {
-      this.scale = Math.max(kLeastScale, 0.75 * this.scale);
-      this.slow = 0;
-    }
+    this.quick = passed_ms < kQuickFrame_ms ? (this.quick || 0) + 1 : 0;
+    const by = this.slow >= 4 ? 0.75 : this.quick >= 200 ? 1 / 0.75 : 1;
+    if (by === 1) return;
+    this.scale = Math.min(1, Math.max(kLeastScale, by * this.scale));
+    this.slow = this.quick = 0;
   }
+
+  // A picture that rests may take its time.
+  get sharpness() { return this.plays || this.pointers.size > 0 ? this.scale : 1; }
 
   // Returns whether the picture is as it should be; while shaders are compiled it is the one before.
   draw() {
-    const { canvas } = this.picture, ratio = Math.min(2, window.devicePixelRatio || 1) * this.scale;
+    const { canvas } = this.picture, ratio = Math.min(2, window.devicePixelRatio || 1) * this.sharpness;
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     const { view, picture } = this, eye = view.eyes.mono;
@@ -252,7 +264,7 @@ class Controls {
     }
     this.hasDrawn = true;
     const wall = this.watcher.mode === "recorded" && !this.game ? this.wall : null;
-    this.clip = (wall && clipOfWall(wall, eye)) || clipOfLook(this.about.axes, this.look, width / height);
+    this.clip = (wall && clipOfWall(wall, eye)) || clipOfLook(this.about.axes, { ...this.look, half: this.half }, width / height);
     picture.draw(this.clip, wall ? this.portOf(wall, width, height) : [0, 0, width, height], plan);
     return isWhole;
   }
@@ -288,7 +300,7 @@ class Controls {
       return title + ": " + [null, question, todo + " " + notice, number][view.phase];
     }
     const caption = about.captions.find(one => view.own_s >= one.from_s && view.own_s < one.from_s + one.for_s);
-    return caption ? fill(texts.told, caption.text) : texts.lookHow;
+    return caption ? fill(texts.told, caption.text) : live ? texts.lookHow : texts.lookHow + " " + texts.playOn;
   }
 
   // The events so far, each with its place in the order of the present observer: by their own frame's time.
@@ -352,10 +364,16 @@ class Controls {
     this.stale = true;
   }
 
+  // The half of the picture's height, as a tangent; that of its shorter side is what is looked by.
+  get half() {
+    const { clientWidth, clientHeight } = this.picture.canvas;
+    return this.look.half * Math.max(1, clientHeight / Math.max(1, clientWidth));
+  }
+
   // The ray of sight through a point of the window, in the head's frame.
   ray(event) {
     const { canvas } = this.picture, { look, about } = this, aspect = canvas.clientWidth / canvas.clientHeight;
-    const x = ((2 * event.clientX) / canvas.clientWidth - 1) * look.half * aspect, y = (1 - (2 * event.clientY) / canvas.clientHeight) * look.half;
+    const x = ((2 * event.clientX) / canvas.clientWidth - 1) * this.half * aspect, y = (1 - (2 * event.clientY) / canvas.clientHeight) * this.half;
     const { right, up, forward } = about.axes;
     const level = V.add(V.times(forward, Math.cos(look.turn)), V.times(right, Math.sin(look.turn)));
     const ahead = V.add(V.times(level, Math.cos(look.raise)), V.times(up, Math.sin(look.raise))), side = V.unit(V.cross(level, up));
@@ -403,7 +421,7 @@ class Controls {
   }
 
   turn(event, before) {
-    const perPixel = (2 * this.look.half) / this.picture.canvas.clientHeight;
+    const perPixel = (2 * this.half) / this.picture.canvas.clientHeight;
     this.look.turn -= (event.clientX - before.clientX) * perPixel;
     this.look.raise = Math.min(1.5, Math.max(-1.5, this.look.raise + (event.clientY - before.clientY) * perPixel));
     this.stale = true;
@@ -430,5 +448,6 @@ class Controls {
     }
     this.held = this.steers = null;
     this.stick = [0, 0];
+    this.stale = true;
   }
 }

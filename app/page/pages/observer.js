@@ -38,7 +38,10 @@ class Watcher {
     if (this.mode === "drive") return this.driven(recorded, dt_s, push);
     const t_s = Math.min(recorded.eyes.mono.event[0], this.about.known_s);
     if (this.mode === "ride") return this.riding(recorded, t_s);
-    if (this.mode === "event") return this.viewAt(recorded, this.of.event, this.roomWith(this.of.u));
+    if (this.mode === "event") {
+      this.held = this.of.held;
+      return this.viewAt(recorded, this.of.event, this.roomWith(this.of.u));
+    }
     return this.viewAt(recorded, [t_s, ...this.place_m], this.roomWith([0, 0, 0]));
   }
 
@@ -85,8 +88,8 @@ class Watcher {
       held = "heldPast";
     }
     const u = V.times(b, 1 / Math.sqrt(1 - speed * speed));
-    this.choose("event", { event: [Number(t_s), ...position_m.map(Number)], u });
+    this.choose("event", { event: [Number(t_s), ...position_m.map(Number)], u, held });
     const view = this.view(this.frames.from_s, 0, [0, 0, 0]);
-    return { held: this.held || held, event: Array.from(view.eyes.mono.event), headFromBoard: Array.from(view.headFromBoard) };
+    return { held: this.held, event: Array.from(view.eyes.mono.event), headFromBoard: Array.from(view.headFromBoard) };
   }
 }

@@ -180,6 +180,7 @@ class Picture {
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(...port);
     gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
     gl.depthMask(true);
     gl.clearColor(0, 0, 0, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -192,7 +193,13 @@ class Picture {
       gl.depthMask(!part.isDecal);
       const mesh = this.meshes[part.mesh];
       gl.bindVertexArray(mesh.array);
-      gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
+      const draw = () => gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
+      if (layer.moment > 0 && !part.isRound) { // of a body with hollows the nearest surface alone: the glass is even
+        gl.colorMask(false, false, false, false);
+        draw();
+        gl.colorMask(true, true, true, true);
+      }
+      draw();
     }
     gl.bindVertexArray(null);
     gl.depthMask(true);
@@ -228,7 +235,7 @@ class Picture {
     set("tint", "uniform1f", part.number % 3);
     set("nearer", "uniform1f", isGhost || part.isDecal ? 0.002 : (0.0005 * body) / about.bodies.length);
     if (isGhost) set("ghostColour", "uniform3fv", new Float32Array(about.ghostColours[layer.moment - 1]));
-    set("hatch_m", "uniform1f", 0.5 * about.bodies[body].reach_m);
+    set("hatch_m", "uniform1f", about.bodies[body].stripes_m);
   }
 
   // Of lamps that are followed: when they go on, c (t_on - t_o), and where they are from the eye.

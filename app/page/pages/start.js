@@ -112,7 +112,6 @@ class Shown {
           return found.length ? Array.from(found.slice(4, 7)) : null;
         });
       },
-      observer: wanted => this.watcher.set(wanted),
       // Plays the page's game anew with these strokes besides its own, and returns all its events.
       play: (until_s, strokes) => playedAnew(this.about, this.engine, until_s, strokes),
       // Compiles variants of the shaders that this page can ask for, by default all, and returns their number.
@@ -148,6 +147,7 @@ async function start() {
   document.body.classList.add("ready");
   const controls = new Controls(shown);
   window.carom.where = guarded(body => controls.where(body));
+  window.carom.observer = guarded(wanted => controls.watchAs(wanted));
   const follow = guarded(() => {
     const wants = asked();
     document.body.classList.toggle("bare", "bare" in wants);

@@ -246,7 +246,7 @@ def test_stroke(page):
     page.requested()  # by the pages before
     page.open(file=out / "page.html")
     page.until("return window.carom.where(1) !== null")
-    page.run("document.querySelector('.menu').hidden = true; document.querySelector('.wide').click()")
+    page.run("document.querySelector('.menu').hidden = true; document.querySelector('.key').click()")
     names = ["white", "yellow", "red"]
     places = {name: [round(of) for of in page.run("return window.carom.where(arguments[0]).at", page.call("body", name))] for name in names}
     name = min(names, key=lambda one: math.dist(places[one], (200, 120)))  # the nearest to the window's middle
@@ -289,10 +289,20 @@ def test_lost_context(page):
     print("broken: a lost context came back")
 
 
+def test_said(page):
+    """The page that is open says why an observer is held."""
+    says = "return document.querySelector('.says').textContent.includes(arguments[0])"
+    for observer, words in (({"beta": [0, 0, 0], "position_m": [0, -2, 1], "t_s": 1e6}, "The recording ends here"),
+                            ({"beta": [2, 0, 0], "position_m": [0, -2, 1], "t_s": 3}, "faster than 0.999")):
+        page.call("observer", observer)
+        page.until(says.replace("arguments[0]", json.dumps(words)))
+    print("held: said on the page")
+
+
 with OpenPage() as opened:
     test_physics_and_words(opened)
     opened.open(UNDRAWN, out / "page.html")
-    for test in (test_sight, test_held, test_programs, *([test_visit] if THOROUGH else []), test_stroke, test_lost_context, test_trap, test_broken):
+    for test in (test_sight, test_held, test_programs, *([test_visit] if THOROUGH else []), test_stroke, test_lost_context, test_said, test_trap, test_broken):
         begun = time.monotonic()
         test(opened)
         print(f"  {time.monotonic() - begun:.1f} s")

@@ -14,7 +14,10 @@ refused() { # WORDS ARGUMENT …: the command fails, says this, and leaves nothi
   grep -q -- "$words" "$out/stderr" || fail "expected '$words' of: ${*:2}"
   [ ! -e "$out/none.html" ] || fail "left a file: ${*:2}"
 }
-play game.db three-pucks 12
+# Two games, of two visitors; the page is that of the second.
+sed -e 's/^title = .*/title = "Zebra, the game before"/; s/"white"/"okapi"/' "$config/scenarios/three-pucks.toml" >"$out/before.toml"
+printf '[[game]]\nscenario = "%s"\nfor_s = 5\n' "$out/before.toml" three-pucks >"$out/two.toml"
+"$carom" cave --rig "$out/room.toml" --playlist "$out/two.toml" --session "$out/game.db" --frames 342 --no-window --silent 2>"$out/stderr" || fail "two games"
 "$carom" page "$out/game.db" -o "$out/page.html" 2>"$out/stderr" || { grep -q 'without the engine for browsers' "$out/stderr" &&
   { echo "skipped: $(cat "$out/stderr")"; exit 77; }; fail "carom page"; }
 
@@ -30,7 +33,7 @@ refused 'it ended before its first frame' "$out/empty.db"
 refused 'no frame of this game lies between' "$out/game.db" --from 1000
 refused 'is not before --until' "$out/game.db" --from 2 --until 1
 refused 'nobody' "$out/game.db" --as nobody
-refused 'it has 1 game' "$out/game.db" --game 7
+refused 'it has 2 games' "$out/game.db" --game 7
 
 # Games.
 refused 'soft bodies, which a page does not show' jellies
@@ -58,17 +61,22 @@ sed "$pixels" "$config/rigs/two-people-quad-buffer.toml" >"$out/two.toml"
 grep -q -- 'shows the visit of .*; --as chooses another of the 2' "$out/stderr" || fail "whose visit it is"
 
 # What a page holds.
+"$carom" page "$out/game.db" --game 1 -o "$out/before.html" 2>"$out/stderr" || fail "the page of the game before"
 /usr/bin/python3 - "$out/page.html" "$out" "$config" "$(hostname)" "$(id -un)" <<'END' || fail "what a page holds"
 import base64, pathlib, sys, zlib
-text = pathlib.Path(sys.argv[1]).read_text()
-def letters(part):
-    return base64.b64decode(text.split(f'id="{part}"', 1)[1].split(">", 1)[1].split("<", 1)[0])
-held = [text.encode(), zlib.decompress(letters("visit")), zlib.decompress(letters("engine"), 31)]
+def held_by(page):
+    text = pathlib.Path(page).read_text()
+    def letters(part):
+        return base64.b64decode(text.split(f'id="{part}"', 1)[1].split(">", 1)[1].split("<", 1)[0])
+    return [text.encode(), zlib.decompress(letters("visit")), zlib.decompress(letters("engine"), 31)]
+held = held_by(sys.argv[1])
+other_game = ["Zebra", "okapi"]
+assert all(any(word.encode() in part for part in held_by(sys.argv[2] + "/before.html")) for word in other_game)
 # Names of hosts and users as short as "vm" are in any text.
-words = [*sys.argv[2:4], "/home/", "/tmp/", "/usr/", "head_sensor", ".toml", *[name for name in sys.argv[4:] if len(name) > 4]]
+words = [*sys.argv[2:4], "/home/", "/tmp/", "/usr/", "head_sensor", ".toml", *other_game, *[name for name in sys.argv[4:] if len(name) > 4]]
 for word in words:
     assert not any(word.encode() in part for part in held), word
-assert "default-src 'none'" in text and "MIT License" in text
+assert b"default-src 'none'" in held[0] and b"MIT License" in held[0]
 print("the page holds none of", ", ".join(words))
 END
 echo "faults: all said, none left a file"

@@ -10,4 +10,4 @@ needs chromium chromedriver zbarimg xdotool
 sed 's/^pixels = .*/pixels = [640, 360]/' "$config/rigs/single-screen.toml" >"$out/room.toml"
 # The game without its lesson, which would wait for an answer.
 sed -e '/^\[lesson\]/,/^\[observer\]/{/^\[observer\]/!d}' "$config/scenarios/two-cushions.toml" >"$out/two-cushions.toml"
-/usr/bin/python3 "$(dirname "$0")/page_phones.py" "$carom" "$out" "${3:-$out/shots}" || fail "phones of a game"
+/usr/bin/python3 "$(dirname "$0")/page_phones.py" "$carom" "$out" "${@:3}" || fail "phones of a game"
