@@ -17,7 +17,7 @@ namespace {
 // Times on the graphics card are counted from a multiple of this, so that single precision is good to 0.03 mm
 // in the room.
 constexpr double kBase_s = 1024.0;
-constexpr double kFine_m = 5e-4;  // by which tubes may be off in the room
+constexpr double kFine_m = 1e-3;  // by which tubes may be off in the room
 const Vec3 kShadowAside(-0.22, -0.05,
                         0.12);  // how far beside it the shadow of a metre's height lies, room frame
 constexpr double kOverFloor_m = 0.004;
