@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstring>
 #include <glm/matrix.hpp>
+#include <optional>
 #include <string_view>
 
 #include "devices/protocol/wire_reader.h"
+#include "engine/base/code_points.h"
 
 namespace carom {
 namespace {
@@ -51,24 +53,9 @@ class FieldWriter {
 
 /// Whether a text is valid UTF-8 without control characters.
 bool isClean(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto first = static_cast<unsigned char>(text[i]);
-    const std::size_t size = first < 0x80       ? 1
-                             : first >> 5 == 6  ? 2
-                             : first >> 4 == 14 ? 3
-                             : first >> 3 == 30 ? 4
-                                                : 0;
-    if (size == 0 || size > text.size() - i) return false;
-    std::uint32_t sign = size == 1 ? first : first & (0x7fU >> size);
-    for (std::size_t k = 1; k < size; ++k) {
-      const auto next = static_cast<unsigned char>(text[i + k]);
-      if (next >> 6 != 2) return false;
-      sign = sign << 6 | (next & 0x3fU);
-    }
-    constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-    if (sign < kLeast[size] || sign > 0x10ffff || (sign >= 0xd800 && sign < 0xe000)) return false;
-    if (sign < 0x20 || (sign >= 0x7f && sign < 0xa0)) return false;
-    i += size;
+  while (!text.empty()) {
+    const std::optional<char32_t> sign = takeCodePoint(text);
+    if (!sign || *sign < 0x20 || (*sign >= 0x7f && *sign < 0xa0)) return false;
   }
   return true;
 }

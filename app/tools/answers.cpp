@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -127,6 +128,9 @@ std::vector<VotedQuestion> votesOf(const std::vector<std::filesystem::path>& fil
         answer = question.answers.insert(question.answers.end(), {vote.answer, std::nullopt});
       ++answer->count[round];
       ++question.all[round];
+      constexpr std::size_t kClass = 0;
+      question.votes.push_back({vote.lesson, vote.question, vote.answer, answer->isRight, round + 1,
+                                vote.seconds, vote.token, kClass, counted.frame});
     }
   }
   return questions;
@@ -150,30 +154,6 @@ std::vector<AnswerRow> answersOf(const std::vector<std::filesystem::path>& files
                       given.viewer, groupsBefore + given.group, given.frame});
     }
     groupsBefore += groups;
-  }
-  return rows;
-}
-
-std::vector<AnswerRow> voteRowsOf(const std::vector<std::filesystem::path>& files,
-                                  const std::vector<VotedQuestion>& questions) {
-  std::vector<AnswerRow> rows;
-  for (const std::filesystem::path& file : files) {
-    for (const CountedVote& counted : SessionFile(file).votes()) {
-      const ClassVote& vote = counted.vote;
-      const auto question = std::find_if(questions.begin(), questions.end(), [&](const VotedQuestion& one) {
-        return one.lesson == vote.lesson && one.question == vote.question;
-      });
-      if (question == questions.end() || vote.round < 1 || vote.round > 2) continue;
-      const auto attempt = static_cast<std::size_t>(vote.round);
-      if (question->all[attempt - 1] < kLeast) continue;
-      const auto answer =
-          std::find_if(question->answers.begin(), question->answers.end(),
-                       [&](const VotedQuestion::Answer& one) { return one.words == vote.answer; });
-      constexpr std::size_t kClass = 0;
-      rows.push_back({vote.lesson, vote.question, vote.answer,
-                      answer != question->answers.end() ? answer->isRight : std::nullopt, attempt,
-                      vote.seconds, vote.token, kClass, counted.frame});
-    }
   }
   return rows;
 }
@@ -202,9 +182,9 @@ void addAnswers(CLI::App& app, int& status) {
     WholeFile out(line->csv.value_or("-"));
     const std::vector<VotedQuestion> votes = votesOf(line->files);
     const std::string visitors = rows.empty() && !votes.empty() ? "" : tableOf(rows);
-    if (line->csv) {
-      const std::vector<AnswerRow> voted = voteRowsOf(line->files, votes);
-      rows.insert(rows.end(), voted.begin(), voted.end());
+    for (const VotedQuestion& question : votes) {
+      std::copy_if(question.votes.begin(), question.votes.end(), std::back_inserter(rows),
+                   [&](const AnswerRow& vote) { return question.all[vote.attempt - 1] >= kLeast; });
     }
     out.commit(line->csv ? csvOf(rows) : visitors + tableOf(votes));
     status = 0;

@@ -37,18 +37,13 @@ struct VotedQuestion {
     std::array<std::size_t, 2> count{};  ///< in each vote
   };
   std::vector<Answer> answers;       ///< in the lesson's order
+  std::vector<AnswerRow> votes;      ///< in the order in which they counted
   std::array<std::size_t, 2> all{};  ///< phones that voted
 };
 
 /// Returns the votes of session files by question, in the order in which they were first asked. Throws
 /// std::runtime_error if a file cannot be read.
 std::vector<VotedQuestion> votesOf(const std::vector<std::filesystem::path>& files);
-
-/// Returns the votes that `questions` counts, one row each, in the order in which they counted. Votes of
-/// fewer than five phones are left out: they would tell what single students answered. Throws
-/// std::runtime_error if a file cannot be read.
-std::vector<AnswerRow> voteRowsOf(const std::vector<std::filesystem::path>& files,
-                                  const std::vector<VotedQuestion>& questions);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.
 void addAnswers(CLI::App& app, int& status);

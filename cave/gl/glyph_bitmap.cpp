@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <limits>
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include <raqm.h>
@@ -42,7 +44,6 @@ class Letters {
                                  " cannot be read, expected the package " + font.package);
       }
     }
-    line_ = raqm_create();
   }
   ~Letters() {
     raqm_destroy(line_);
@@ -64,12 +65,13 @@ class Letters {
 
   /// Returns how far the letters that reach deepest go below those that stand on the line.
   int descent_px(int height_px) {
-    int descent_px = 0;
+    const auto [known, isNew] = descents_px_.try_emplace(height_px, 0);
+    if (!isNew) return known->second;
     for (const raqm_glyph_t& glyph : place(U"_/7Agfy", height_px)) {
       const FT_GlyphSlot slot = drawn(glyph);
-      descent_px = std::max(descent_px, static_cast<int>(slot->bitmap.rows) - slot->bitmap_top);
+      known->second = std::max(known->second, static_cast<int>(slot->bitmap.rows) - slot->bitmap_top);
     }
-    return descent_px;
+    return known->second;
   }
 
   static FT_GlyphSlot drawn(const raqm_glyph_t& glyph) {
@@ -81,6 +83,7 @@ class Letters {
   FT_Library library_ = nullptr;
   std::vector<FT_Face> faces_;
   raqm_t* line_ = nullptr;
+  std::map<int, int> descents_px_;  ///< by height
 };
 
 std::span<const raqm_glyph_t> Letters::place(const std::u32string& text, int height_px) {
