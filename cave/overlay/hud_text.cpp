@@ -14,7 +14,7 @@
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
-#include "cave/texts/class_texts.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -34,16 +34,16 @@ class Lines {
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
+  /// Adds a line of the catalogue.
   template <typename... Values>
-  void add(const std::optional<glm::vec3>& mark, fmt::format_string<Values...> words, Values&&... values) {
-    if (count_ == lines_.size()) lines_.emplace_back();
-    HudLine& line = lines_[count_++];
-    line.mark = mark;
-    line.urgent = line.setIn = false;
-    line.row = {};
-    line.chips.clear();
-    line.text.clear();
-    fmt::format_to(std::back_inserter(line.text), words, std::forward<Values>(values)...);
+  void add(const std::optional<glm::vec3>& mark, texts::CheckedText<Values...> words,
+           const Values&... values) {
+    texts::formatTo(begin(mark).text, words, values...);
+  }
+
+  /// Adds a line of these words.
+  void addWords(const std::optional<glm::vec3>& mark, std::string_view first, std::string_view more = {}) {
+    begin(mark).text.append(first).append(more);
   }
 
   /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented.
@@ -52,7 +52,7 @@ class Lines {
     for (bool begins = true; !words.empty(); begins = false) {
       const std::size_t taken = first.empty() ? 0 : begins ? first.size() : kIndentLetters;
       const std::size_t bytes = fitting(words, letters_ - std::min(taken, letters_ - 1));
-      add({}, "{}{}", begins ? first : std::string_view(), words.substr(0, bytes));
+      addWords({}, begins ? first : std::string_view(), words.substr(0, bytes));
       lines_[count_ - 1].urgent = urgent;
       lines_[count_ - 1].row = row;
       lines_[count_ - 1].setIn = !begins && !first.empty();
@@ -62,14 +62,25 @@ class Lines {
 
   /// Adds a line that begins with these words and goes on with chips; more lines if the chips need them.
   void addChips(std::string_view words, std::span<const HudChip> chips) {
-    add({}, "{}", words);
+    addWords({}, words);
     for (const HudChip& chip : chips) {
-      if (!chipFits(lines_[count_ - 1], chip, letters_)) add({}, "");
+      if (!chipFits(lines_[count_ - 1], chip, letters_)) addWords({}, {});
       lines_[count_ - 1].chips.push_back(chip);
     }
   }
 
  private:
+  HudLine& begin(const std::optional<glm::vec3>& mark) {
+    if (count_ == lines_.size()) lines_.emplace_back();
+    HudLine& line = lines_[count_++];
+    line.mark = mark;
+    line.urgent = line.setIn = false;
+    line.row = {};
+    line.chips.clear();
+    line.text.clear();
+    return line;
+  }
+
   /// Returns whether a space stands before a unit, as in "0.6 c" and "2.84 m".
   static bool beforeUnit(std::string_view words, std::size_t space) {
     const auto letter = [&](std::size_t at) {
@@ -111,10 +122,11 @@ void addScore(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   if (count < 2) return lines.add({}, texts::legend::kScore, seen.self.score.caroms, seen.self.score.strokes);
   for (std::size_t i = 0; i < count; ++i) {
     const Score& score = seen.inOrder(i).score;
-    lines.add({}, texts::legend::kScoreOf, i == 0 ? std::string_view(texts::legend::kMe) : viewers[i].name,
-              score.caroms, score.strokes);
+    lines.add({}, texts::legend::kScoreOf,
+              i == 0 ? std::string_view(texts::legend::kMe) : std::string_view(viewers[i].name), score.caroms,
+              score.strokes);
   }
-  if (seen.self.hasTurn) lines.add({}, "{}", texts::legend::kYourTurn);
+  if (seen.self.hasTurn) lines.add({}, texts::legend::kYourTurn);
   for (std::size_t i = 1; i < count; ++i) {
     if (seen.inOrder(i).hasTurn) lines.add({}, texts::legend::kTheirTurn, viewers[i].name);
   }
@@ -128,10 +140,10 @@ void addOtherClocks(const SeenFrame& seen, Viewers viewers, Lines& lines) {
     const double older_s = own_s - seen.self.observer.properTime_s;
     if (std::abs(older_s) < kShown_s) {
       lines.add({}, texts::legend::kAsOld, viewers[i].name, shownTime_s(own_s));
+    } else if (older_s > 0.0) {
+      lines.add({}, texts::legend::kOlder, viewers[i].name, shownTime_s(own_s), older_s);
     } else {
-      const texts::Text words = older_s > 0.0 ? texts::legend::kOlder : texts::legend::kYounger;
-      lines.add({}, "{}",
-                fmt::format(fmt::runtime(words), viewers[i].name, shownTime_s(own_s), std::abs(older_s)));
+      lines.add({}, texts::legend::kYounger, viewers[i].name, shownTime_s(own_s), -older_s);
     }
   }
 }
@@ -149,15 +161,15 @@ void addTwins(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   if (seen.record.views.clocks) addOtherClocks(seen, viewers, lines);
 }
 
-HudChip chip(Kind kind, std::string words, std::uint8_t number = 0) {
-  return {{kind, number}, std::move(words)};
+HudChip chip(Kind kind, std::string_view words, std::uint8_t number = 0) {
+  return {{kind, number}, std::string(words)};
 }
 
 /// Adds what to press, and at the right the way out.
 void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudChip> chips, bool mayLeave,
                 Lines& lines) {
   if (seen.record.views.frozen) chips.push_back(chip(Kind::unfreeze, texts::lesson::kTimeGoesOn));
-  HudChip leave{actionOf(Choice::play), texts::lesson::kLeave};
+  HudChip leave{actionOf(Choice::play), texts::lesson::kLeave.words()};
   leave.atRight = true;
   if (mayLeave) chips.push_back(leave);
   lines.addChips(words, chips);
@@ -165,11 +177,10 @@ void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudCh
 
 void addQuestion(const SeenFrame& seen, const LessonWords& lesson, bool mayLeave, Lines& lines) {
   lines.wrap(lesson.question, texts::lesson::kQuestion);
-  constexpr auto& kNumbers = texts::lesson::kAnswerNumbers;
   const bool isByPhone = hasClass(seen.record.classroom);
-  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kAnswerNumbers.size()); ++i) {
     const WallAction row{Kind::choose, static_cast<std::uint8_t>(i + 1)};
-    lines.wrap(lesson.answers[i], kNumbers[i], false, isByPhone ? WallAction{} : row);
+    lines.wrap(lesson.answers[i], kAnswerNumbers[i], false, isByPhone ? WallAction{} : row);
   }
   if (isByPhone) return addButtons(seen, texts::classroom::kByPhone, {}, mayLeave, lines);
   addButtons(seen, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, mayLeave, lines);
@@ -179,7 +190,7 @@ void addQuestion(const SeenFrame& seen, const LessonWords& lesson, bool mayLeave
 void addReadings(const SeenFrame& seen, const LessonPlan& plan, std::string readings, Lines& lines) {
   for (const Stopwatch& watch : plan.stopwatches) {
     if (!readings.empty()) readings += "    ";
-    readings += fmt::format(
+    readings += texts::format(
         texts::lesson::kReading, watch.name,
         reading_s(watch, {seen.self.observer, seen.record.boardFromRoom, seen.record.lesson.phase}));
   }
@@ -192,7 +203,8 @@ void addObservers(const SeenFrame& seen, const LessonPlan& plan, Lines& lines) {
   const auto present = observerOf(plan, seen.record.boardFromRoom);
   std::vector<HudChip> offered;
   for (std::size_t i = 0; i < plan.observers.size(); ++i) {
-    offered.push_back(chip(Kind::choose, fmt::format(texts::lesson::kObserver, plan.observers[i].name, i + 2),
+    offered.push_back(chip(Kind::choose,
+                           texts::format(texts::lesson::kObserver, plan.observers[i].name, i + 2),
                            static_cast<std::uint8_t>(i + 1)));
     offered.back().isOn = present == i;
   }
@@ -205,15 +217,15 @@ void addAnswer(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
   const bool isHidden = lesson.right >= lesson.answers.size();
   const std::string words = isHidden ? given
                             : answer - 1U == lesson.right
-                                ? fmt::format(texts::lesson::kRight, given)
-                                : fmt::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
+                                ? texts::format(texts::lesson::kRight, given)
+                                : texts::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
   lines.wrap(words, texts::lesson::kYourAnswer);
 }
 
 /// Returns how the lesson's pace is told, or nothing.
 std::string paceWords(const LessonPlan& plan) {
   const double slowness = plan.interval.slowness;
-  return slowness > 1.0 ? fmt::format(texts::lesson::kSlowMotion, slowness) : "";
+  return slowness > 1.0 ? texts::format(texts::lesson::kSlowMotion, slowness) : "";
 }
 
 /// Adds what to press while the lesson explains.
@@ -278,10 +290,10 @@ void addEffects(const Switches& switches, Lines& lines) {
     const bool isOn = switches.*effect.value != 0;
     if (isOn == (kUsual.*effect.value != 0)) continue;
     std::string& all = isOn ? on : off;
-    all += (all.empty() ? "" : ", ") + std::string(effect.words);
+    all += (all.empty() ? "" : ", ") + std::string(effect.words.words());
   }
-  if (!off.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOff, off));
-  if (!on.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOn, on));
+  if (!off.empty()) lines.wrap(texts::format(texts::legend::kEffectsOff, off));
+  if (!on.empty()) lines.wrap(texts::format(texts::legend::kEffectsOn, on));
 }
 
 void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
@@ -297,7 +309,7 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   for (const NamedView& view : kNamedViews) {
     if (!view.legend || !(views.*view.value)) continue;
     const bool isEvents = view.value == &TimeViews::events;
-    lines.add(isEvents ? std::optional(kEventColour) : std::nullopt, "{}", view.legend);
+    lines.addWords(isEvents ? std::optional(kEventColour) : std::nullopt, view.legend);
     if (isEvents) lines.add(kFlashColour, texts::legend::kFlash);
   }
   if (views.frozen) lines.add({}, texts::legend::kFrozen);
