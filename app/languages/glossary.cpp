@@ -22,11 +22,12 @@ std::string_view trimmed(std::string_view text) {
 
 GlossaryTerm termOf(std::string_view english, std::string_view words) {
   GlossaryTerm term{wordsOf(english), {}, {}};
-  term.line = fmt::format("{} = {}", english, trimmed(words.substr(0, words.find('|'))));
+  std::size_t end = std::min(words.find('|'), words.size());  // the translation may have a comma
+  term.line = fmt::format("{} = {}", english, trimmed(words.substr(0, end)));
   while (!words.empty()) {
-    const std::size_t end = std::min(words.find('|'), words.size());
     if (const auto word = trimmed(words.substr(0, end)); !word.empty()) term.words.push_back(folded(word));
     words.remove_prefix(std::min(end + 1, words.size()));
+    end = std::min(words.find_first_of("|,"), words.size());
   }
   return term;
 }
@@ -63,7 +64,7 @@ Glossary Glossary::read(const std::filesystem::path& file) {
                             : termOf(trimmed(line.substr(0, sign)), line.substr(sign + 1));
     if ((term.english.empty() || term.words.empty()) && faults.size() < kMostFindings) {
       faults.emplace_back(file.string(), number, 1,
-                          "a line without a term, expected: english = translation | stem | stem");
+                          "a line without a term, expected: english = translation | stem, stem");
     }
     glossary.terms_.push_back(std::move(term));
   }
@@ -98,9 +99,10 @@ std::vector<const GlossaryTerm*> Glossary::missingIn(std::string_view english,
   return missing;
 }
 
-bool Glossary::isShared(const std::u32string& word) const {
+bool Glossary::isShared(std::string_view word) const {
+  const std::u32string small = folded(word);
   return std::ranges::any_of(terms_, [&](const GlossaryTerm& term) {
-    return term.english.size() == 1 && isWord(word, term.english[0], true) &&
+    return term.english.size() == 1 && isWord(small, term.english[0], true) &&
            std::ranges::find(term.words, term.english[0]) != term.words.end();
   });
 }

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// A line "english = translation | stem | stem": a translation of a text with the English term has one of
+/// A line "english = translation | stem, stem": a translation of a text with the English term has one of
 /// these words, in any case of its letters, also as a part of a longer word.
 struct GlossaryTerm {
   std::vector<std::u32string> english;  ///< its words, in small letters
@@ -25,12 +25,12 @@ class Glossary {
   /// Returns the glossary.txt beside a file; without terms if there is none.
   static Glossary beside(const std::filesystem::path& file);
 
-  /// Returns the terms of an English text of which its translation has no word. The longest term counts: with
+  /// Returns the terms of an English text that have no word in its translation. The longest term counts: with
   /// "rest frame" in a text, "frame" alone is not asked for there.
   std::vector<const GlossaryTerm*> missingIn(std::string_view english, std::string_view translation) const;
 
-  /// Returns whether a word is the same in both languages: it has the line "position = position".
-  bool isShared(const std::u32string& word) const;
+  /// Returns whether an English word is the same in both languages: it has the line "position = position".
+  bool isShared(std::string_view word) const;
 
   const std::vector<GlossaryTerm>& terms() const { return terms_; }
 

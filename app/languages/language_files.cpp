@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *kTexts = "carom.po", *kGames = "scenarios.po";
+constexpr const char *kTexts = "carom.po", *kGames = "scenarios.po", *kPseudo = "pseudo";
 
 bool isFile(const fs::path& path) {
   std::error_code failed;
@@ -90,7 +90,7 @@ class Words {
   /// Puts the words into a language; of two for the same English in games the first.
   void putInto(texts::Language& language) const {
     std::unordered_map<std::string_view, std::size_t> indices;
-    for (const texts::Entry& entry : texts::catalogue()) indices.emplace(entry.name, indices.size());
+    for (const texts::Entry& entry : texts::catalogue()) indices.emplace(entry.name, entry.text.index());
     for (const auto& [name, forms] : texts_) language.put(indices.at(name), forms);
     std::unordered_set<std::string_view> known;
     for (const auto& [english, forms] : games_) {
@@ -124,6 +124,7 @@ void checkFonts(const Words& words, const LetterFonts& fonts) {
 [[noreturn]] void refuse(const std::string& given) {
   std::vector<std::string> codes = shippedLanguages();
   codes.insert(codes.begin(), "en");
+  codes.emplace_back(kPseudo);
   throw std::runtime_error(fmt::format("there is no language '{}', expected one of {} or a PO file",
                                        printable(given), fmt::join(codes, ", ")));
 }
@@ -174,6 +175,7 @@ fs::path folderOfLanguage(const std::string& code) {
 
 std::shared_ptr<texts::Language> loadLanguage(const std::string& given, const LetterFonts& fonts) {
   if (given == "en") return nullptr;
+  if (given == kPseudo) return std::make_shared<texts::Language>(texts::Language::pseudo());
   Words words;
   if (given.ends_with(".po")) {
     const fs::path file(given);
@@ -205,7 +207,7 @@ bool addWordsBeside(const fs::path& scenario, texts::Language& language) {
 
 std::vector<LanguageProgress> progressOfLanguages() {
   std::vector<LanguageProgress> all;
-  const std::size_t texts = texts::catalogue().size(), games = shippedScenarioTexts().size();
+  const std::size_t texts = sourceTexts(texts::catalogue()).size(), games = shippedScenarioTexts().size();
   for (const std::string& code : shippedLanguages()) {
     LanguageProgress& progress = all.emplace_back(LanguageProgress{code, {0, texts}, {0, games}, {}});
     try {

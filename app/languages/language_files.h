@@ -42,9 +42,9 @@ std::vector<std::string> shippedLanguages();
 std::filesystem::path folderOfLanguage(const std::string& code);
 
 /// Returns a language by its code, or by a PO file, beside which the other of carom.po and scenarios.po is
-/// read, too; null for "en". What is not translated stays English. Throws InputErrors with all errors of its
-/// files, std::runtime_error if there is no such language, or if no font here has its letters (one sentence,
-/// with the package that has them).
+/// read, too; null for "en"; "pseudo" is made of the English. Texts without a translation stay English.
+/// Throws InputErrors with all errors of its files, std::runtime_error if there is no such language, or if no
+/// font here has its letters (one sentence, with the package that has them).
 std::shared_ptr<texts::Language> loadLanguage(const std::string& given, const LetterFonts& fonts);
 
 /// Adds the words of a scenario of one's own, mine.CODE.po beside mine.toml. Returns whether there is such a

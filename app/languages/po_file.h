@@ -31,7 +31,7 @@ struct PoEntry {
   std::vector<PoText> forms;          ///< the translation; of a text with a plural, one for each form
 
   bool isFuzzy() const;
-  /// Returns whether there are words in each form, and nobody doubts them.
+  /// Returns whether there are words in each form, and the entry is not fuzzy.
   bool isTranslated() const;
 };
 
@@ -52,7 +52,7 @@ struct PoFile {
 inline constexpr std::size_t kMostPoEntries = 20'000;
 
 /// Returns the entries of a file's content. CR LF and a byte order mark are taken. Throws InputErrors, with
-/// all that is no PO in it: of what is not UTF-8, the first place; of too many entries, one sentence.
+/// all that is no PO in it: the first byte that is not UTF-8; for too many entries, one sentence.
 PoFile parsePo(const std::filesystem::path& path, std::string_view content);
 
 /// Reads a PO file of at most 16 MiB. Throws InputErrors.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -24,7 +25,7 @@ bool hasWords(std::string_view text) {
                             [](char32_t a, char32_t b) { return isLetter(a) && isLetter(b); }) != signs.end();
 }
 
-/// Gathers the texts of a file under their names.
+/// Gathers the texts of a file under their names, in the order in which they stand there.
 class Gathered {
  public:
   explicit Gathered(const std::filesystem::path& file) : file_(file.filename().string()) {}
@@ -32,12 +33,13 @@ class Gathered {
   /// Adds a text unless there is none, or one of this name.
   void add(const std::string& name, const std::string& text, FilePlace at) {
     if (!hasWords(text) || !names_.insert(name).second) return;
-    texts_.push_back({.context = file_ + ' ' + name,
-                      .english = text,
-                      .plural = {},
-                      .note = {},
-                      .reference = fmt::format("{}:{}", file_, at.line),
-                      .hasValues = false});
+    texts_.emplace(std::pair(at.line, at.column),
+                   SourceText{.context = file_ + ' ' + name,
+                              .english = text,
+                              .plural = {},
+                              .note = {},
+                              .reference = fmt::format("{}:{}", file_, at.line),
+                              .hasValues = false});
   }
   /// Adds the text of a key, if the table has it.
   void add(const TomlTable& table, std::string_view key, const std::string& name) {
@@ -58,11 +60,15 @@ class Gathered {
     }
   }
 
-  std::vector<SourceText> taken() { return std::move(texts_); }
+  std::vector<SourceText> all() const {
+    std::vector<SourceText> texts;
+    for (const auto& [at, text] : texts_) texts.push_back(text);
+    return texts;
+  }
 
  private:
   std::string file_;
-  std::vector<SourceText> texts_;
+  std::multimap<std::pair<int, int>, SourceText> texts_;  // by line and column
   std::unordered_set<std::string> names_;
 };
 
@@ -101,7 +107,7 @@ std::vector<SourceText> scenarioTexts(const std::filesystem::path& path) {
     for (const char* key : {"name", "text"}) texts.add(tasks[i], key, fmt::format("task {} {}", i + 1, key));
   }
   for (const char* kind : {"puck", "body", "flash", "pulse"}) texts.addNames(root.tables(kind));
-  return texts.taken();
+  return texts.all();
 }
 
 std::vector<SourceText> shippedScenarioTexts() {

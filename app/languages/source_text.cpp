@@ -5,11 +5,10 @@ namespace carom {
 std::vector<SourceText> sourceTexts(std::span<const texts::Entry> catalogue) {
   std::vector<SourceText> all;
   for (const texts::Entry& entry : catalogue) {
-    all.push_back({.context = entry.name,
-                   .english = entry.english,
-                   .plural = entry.plural ? entry.plural : "",
-                   .note = entry.note ? entry.note : "",
-                   .reference = {}});
+    const std::string english = entry.text.english();
+    const char* many = entry.text.englishOfMany();
+    if (english.empty()) continue;
+    all.push_back({entry.name, english, many ? many : "", entry.note, {}});
   }
   return all;
 }

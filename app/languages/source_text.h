@@ -18,7 +18,7 @@ struct SourceText {
   bool hasValues = true;  ///< braces in it are places of values
 };
 
-/// Returns the texts of a catalogue, in its order.
+/// Returns the texts of a catalogue that have words, in its order.
 std::vector<SourceText> sourceTexts(std::span<const texts::Entry> catalogue);
 
 }  // namespace carom

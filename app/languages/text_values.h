@@ -17,7 +17,7 @@ struct TextValue {
 
 struct TextValues {
   std::vector<TextValue> values;  ///< in the order of their numbers
-  std::string fault;              ///< what is wrong with the braces, and what is expected; empty: nothing
+  std::string fault;              ///< a fault of the braces, and the expectation; empty: none
 };
 
 /// Returns the places for values of a text.

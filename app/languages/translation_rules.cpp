@@ -14,8 +14,6 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kRealWord = 3;  // letters
-
 std::string utf8Of(char32_t sign) {
   std::string text;
   if (sign < 0x80) return {static_cast<char>(sign)};
@@ -31,6 +29,24 @@ std::string_view spaceBefore(std::string_view text) { return text.substr(0, text
 std::string_view spaceBehind(std::string_view text) {
   const std::size_t last = text.find_last_not_of(' ');
   return last == std::string_view::npos ? "" : text.substr(last + 1);
+}
+
+/// Returns the English words of a text that a translation has words for: three letters or more, not all
+/// capitals ("PIN"), no options of the command line, none that is glued to a value.
+std::vector<std::string> realWordsOf(std::string_view text) {
+  constexpr std::size_t kLeast = 3;
+  const auto isSmall = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto isCapital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && (isSmall(text[end]) || isCapital(text[end]))) ++end;
+    const std::string_view word = text.substr(i, end - i), before = text.substr(0, i);
+    const bool isGlued = before.ends_with('}') || before.ends_with("--") || text.substr(end).starts_with('{');
+    if (word.size() >= kLeast && !isGlued && std::ranges::any_of(word, isSmall)) words.emplace_back(word);
+    i = std::max(end, i + 1);
+  }
+  return words;
 }
 
 /// Returns a formula of plural forms without its spaces and outer parentheses.
@@ -238,16 +254,14 @@ class Judge {
                                 fmt::join(letters, ", ")));
   }
 
-  /// A text that is the same in both languages has no words, or only such as both languages have.
+  /// A text that is the same in both languages has no real words, or only such as both languages have.
   void judgeSame(const PoText& form, const std::string& name) {
-    for (const std::u32string& word : wordsOf(form.words)) {
-      const auto letters = std::ranges::count_if(word, isLetter);
-      if (static_cast<std::size_t>(letters) < kRealWord || rules_.glossary.isShared(word)) continue;
-      std::string plain;
-      for (const char32_t sign : word) plain += utf8Of(sign);
-      return warn(form.at, fmt::format("text '{}' is the same as in English, expected a translation, or the "
-                                       "line \"{} = {}\" in glossary.txt",
-                                       name, plain, plain));
+    for (const std::string& word : realWordsOf(form.words)) {
+      if (rules_.glossary.isShared(word)) continue;
+      return warn(form.at,
+                  fmt::format("text '{}' is the same as in English, expected a translation, or the line "
+                              "\"{} = {}\" in glossary.txt",
+                              name, word, word));
     }
   }
 

@@ -24,7 +24,7 @@ struct TranslationRules {
   std::function<std::u32string(std::string_view)> lettersWithoutFont{};
 };
 
-/// A translation that can be shown: current, whole, doubted by nobody.
+/// A translation that can be shown: current, whole, not fuzzy.
 struct Translated {
   std::size_t source = 0;  ///< index of its English
   std::vector<std::string> forms;
@@ -43,9 +43,10 @@ struct JudgedTranslation {
 /// that are missing; control signs; marks of direction and right-to-left letters, which are not drawn yet;
 /// other keys than the English. Warnings: texts that are missing, fuzzy, stale (their English is another
 /// today) or unknown; spaces at their ends that the English has not; a text that is the same as in English
-/// though it has words of three letters or more, unless the glossary has each of them as a word of both
-/// languages; a term that the glossary translates otherwise; letters that no font has; the same English in
-/// two ways in texts of games, of which the first is shown.
+/// though it has real words (three letters or more, not all capitals, no options "--capture", not glued to a
+/// value), unless the glossary has each of them as a word of both languages; a term that the glossary
+/// translates otherwise; letters that no font has; the same English in two ways in texts of games: the first
+/// is shown.
 JudgedTranslation judge(const PoFile& file, const TranslationRules& rules);
 
 /// Returns whether this is a language's code, such as "fr" or "pt_BR".

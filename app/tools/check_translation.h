@@ -10,7 +10,7 @@ namespace carom {
 /// Returns what the fonts of this computer have.
 LetterFonts fontsHere();
 
-/// Prints what is wrong with a PO file and how much of it is translated. Returns whether it has errors.
+/// Prints the findings about a PO file and how much of it is translated. Returns whether it has errors.
 /// Throws InputErrors if it is no PO file.
 bool tellTranslation(const std::filesystem::path& file);
 

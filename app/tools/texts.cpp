@@ -72,9 +72,9 @@ void addTexts(CLI::App& app, int& status) {
                    "kept behind #~")
       ->type_name("CODE")
       ->excludes(pot);
-  command->require_option(1, 2);
   command->footer("Examples:\n  carom texts --pot templates\n  carom texts --update fr");
   command->callback([line, &status] {
+    if (!line->folder && !line->code) throw CLI::RequiredError("--pot DIR or --update CODE");
     line->folder ? writeTemplates(*line->folder, line->scenario) : updateLanguage(*line->code);
     status = 0;
   });

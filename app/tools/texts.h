@@ -17,9 +17,9 @@ namespace carom {
 void writeTemplates(const std::filesystem::path& folder,
                     const std::optional<std::filesystem::path>& scenario = {});
 
-/// Brings the English of today into the PO files of a shipped language, and prints what is new. Throws
-/// std::runtime_error if there is no such language, InputErrors if a file is no PO file, NotWritten if it
-/// cannot be written.
+/// Brings the English of today into the PO files of a shipped language, and prints the counts of changes.
+/// Throws std::runtime_error if there is no such language, InputErrors if a file is no PO file, NotWritten if
+/// it cannot be written.
 void updateLanguage(const std::string& code);
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status`.

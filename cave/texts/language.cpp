@@ -3,13 +3,25 @@
 namespace carom::texts {
 namespace {
 
-constexpr Entry kEntries[] = {
+struct Row {
+  const char *name, *english, *plural, *note;
+};
+
+constexpr Row kRows[] = {
 #include "cave/texts/language_entries.inc"
 };
 
 }  // namespace
 
-std::span<const Entry> catalogue() { return kEntries; }
+const std::vector<Entry>& catalogue() {
+  static const std::vector<Entry> all = [] {
+    std::vector<Entry> entries{{"", CatalogueText(0, "", nullptr), ""}};
+    for (const Row& row : kRows)
+      entries.push_back({row.name, CatalogueText(entries.size(), row.english, row.plural), row.note});
+    return entries;
+  }();
+  return all;
+}
 
 std::size_t pluralForm(std::string_view code, double n) {
   if (code == "ja") return 0;

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,25 +10,45 @@
 namespace carom::texts {
 
 /// A text of the catalogue.
-struct Entry {
-  const char* name;     ///< "message.kStroke", "latency.kParts 1"
-  const char* english;  ///< for one, if it counts something
-  const char* plural;   ///< null: it counts nothing
-  const char* note;     ///< for translators
+class CatalogueText {
+ public:
+  CatalogueText(std::size_t index, const char* one, const char* many)
+      : index_(index), one_(one), many_(many) {}
+  std::size_t index() const { return index_; }
+  const char* english() const { return one_; }
+  const char* englishOfMany() const { return many_; }  ///< null: it counts nothing
+
+ private:
+  std::size_t index_;
+  const char *one_, *many_;
 };
 
-/// Returns all texts, always in one order; the index of an entry is the number of its text.
-std::span<const Entry> catalogue();
+/// What a translator is told of a text.
+struct Entry {
+  std::string name;    ///< "message.kStroke", "latency.kParts 1"
+  CatalogueText text;  ///< its English is empty where there is nothing to translate
+  std::string note;    ///< what fills its values, and where it is seen
+};
+
+/// Returns all texts, always in one order; a text's index is its place here.
+const std::vector<Entry>& catalogue();
 
 /// All words of one language. English is the absence of one.
 class Language {
  public:
   explicit Language(std::string code) : code_(std::move(code)) {}
+  /// Returns the made language "pseudo", which shows what is not in the catalogue.
+  static Language pseudo() { return Language("pseudo"); }
   /// Puts the forms of a text of the catalogue.
   void put(std::size_t index, std::vector<std::string> forms) { forms_[index] = std::move(forms); }
   /// Puts the words for an English text of a game.
   void putOther(std::string english, std::string words) { other_[std::move(english)] = std::move(words); }
   const std::string& code() const { return code_; }
+  /// Returns the words of a game's text; the English where there are no others.
+  std::string other(std::string_view english) const {
+    const auto found = other_.find(english);
+    return found == other_.end() ? std::string(english) : found->second;
+  }
 
  private:
   std::string code_;

@@ -145,11 +145,12 @@ TEST(TranslationRules, SpacesAtTheEndsAreThoseOfTheEnglish) {
 }
 
 TEST(TranslationRules, WordsThatAreNotTranslatedAreNamed) {
-  EXPECT_EQ(saidOf("{:.2f} c, F7, ct (m), γ", "{:.2f} c, F7, ct (m), γ"), "");
+  EXPECT_EQ(saidOf("{:.2f} c, F7, ct (m), γ, PIN, --capture, {}teacher",
+                   "{:.2f} c, F7, ct (m), γ, PIN, --capture, {}teacher"),
+            "");
   EXPECT_EQ(saidOf("Position {}", "Position {}"),
-            "W 9: text 'a.b' is the same as in English, expected a translation, or the line \"position = "
-            "position\" in "
-            "glossary.txt\n");
+            "W 9: text 'a.b' is the same as in English, expected a translation, or the line \"Position = "
+            "Position\" in glossary.txt\n");
   const TemporaryFolder folder;
   TranslationRules rules = rulesOf({});
   rules.glossary = Glossary::read(folder.file("glossary.txt", "position = position\n"));
@@ -161,11 +162,13 @@ TEST(TranslationRules, TheGlossarysWordIsAsked) {
   const TemporaryFolder folder;
   TranslationRules rules = rulesOf({});
   rules.glossary = Glossary::read(folder.file(
-      "glossary.txt", "# terms\nframe = Bezugssystem | Bild\nrest frame = Ruhesystem\npuck = Scheibe\r\n\n"));
+      "glossary.txt",
+      "# terms\nframe = Bezugssystem | Bild\nrest frame = Ruhesystem | Ruhe, ruhend\npuck = Scheibe\r\n\n"));
   EXPECT_EQ(saidOf("The pucks move", "Die Scheiben fahren", rules), "");
   EXPECT_EQ(saidOf("The pucks move", "Die Steine fahren", rules),
             "W 9: text 'a.b' has none of the words of 'puck = Scheibe', which the glossary asks for\n");
   EXPECT_EQ(saidOf("in its rest frame", "im Ruhesystem", rules), "");
+  EXPECT_EQ(saidOf("in its rest frame", "für das ruhende System", rules), "");
   EXPECT_EQ(saidOf("In 30 Frames", "in 30 BILDERN", rules), "");
   EXPECT_EQ(saidOf("framed", "gerahmt", rules), "");
   EXPECT_THROW(Glossary::read(folder.file("bad.txt", "frame\n")), InputErrors);
