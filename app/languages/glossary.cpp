@@ -22,6 +22,7 @@ std::string_view trimmed(std::string_view text) {
 
 GlossaryTerm termOf(std::string_view english, std::string_view words) {
   GlossaryTerm term{wordsOf(english), {}, {}};
+  std::erase(term.english, std::u32string());
   std::size_t end = std::min(words.find('|'), words.size());  // the translation may have a comma
   term.line = fmt::format("{} = {}", english, trimmed(words.substr(0, end)));
   while (!words.empty()) {

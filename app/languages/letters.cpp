@@ -1,5 +1,6 @@
 #include "app/languages/letters.h"
 
+#include <string_view>
 #include <utility>
 
 #include "engine/base/code_points.h"
@@ -56,9 +57,11 @@ std::vector<std::u32string> wordsOf(std::string_view text) {
   for (const char32_t sign : folded(text) + U' ') {
     if (isLetter(sign) || isIn(sign, '0', '9')) {
       word += sign;
-    } else if (!word.empty()) {
-      words.push_back(std::exchange(word, {}));
+      continue;
     }
+    if (!word.empty()) words.push_back(std::exchange(word, {}));
+    const bool isWithin = std::u32string_view(U" -'’").find(sign) != std::u32string_view::npos;
+    if (!isWithin && !words.empty() && !words.back().empty()) words.emplace_back();
   }
   return words;
 }

@@ -23,8 +23,8 @@ bool isControl(char32_t sign);
 /// Returns a text with small letters for capitals, and a blank for each kind of space.
 std::u32string folded(std::string_view text);
 
-/// Returns the words of a text, in small letters: runs of letters and digits, with what stands between them
-/// left out.
+/// Returns the words of a text, in small letters: runs of letters and digits. Between those that belong to no
+/// one phrase, since a full stop, a bracket or a value parts them, stands an empty one.
 std::vector<std::u32string> wordsOf(std::string_view text);
 
 }  // namespace carom

@@ -171,6 +171,8 @@ TEST(TranslationRules, TheGlossarysWordIsAsked) {
   EXPECT_EQ(saidOf("in its rest frame", "für das ruhende System", rules), "");
   EXPECT_EQ(saidOf("In 30 Frames", "in 30 BILDERN", rules), "");
   EXPECT_EQ(saidOf("framed", "gerahmt", rules), "");
+  EXPECT_EQ(saidOf("at rest {} frame", "in Ruhe {} Bild", rules), "");
+  EXPECT_NE(saidOf("its rest: frame", "Rest: x", rules).find("'frame = Bezugssystem'"), std::string::npos);
   EXPECT_THROW(Glossary::read(folder.file("bad.txt", "frame\n")), InputErrors);
   EXPECT_THROW(Glossary::read(folder.file("bad.txt", "= Bild\n")), InputErrors);
   EXPECT_TRUE(Glossary::beside(folder / "none/a.po").terms().empty());
