@@ -95,6 +95,7 @@ TEST(PoFile, WhatIsNoPoIsNamedWithItsPlace) {
   for (const Case& one : {
            Case{"msgid \"a\"\nmsgstr \"caf\xE9\"\n", "a.po:2:12: the byte 0xE9 is not UTF-8"},
            Case{"msgid \"a\"\nmsgstr \"\x07\"\n", "a.po:2:9: the control sign U+0007"},
+           Case{"msgid \"a\"\nmsgstr \"\xC2\x85\"\n", "a.po:2:9: the control sign U+0085"},
            Case{"msgid \"a\"\nmsgstr \"b", "a.po:2:8: the string has no end"},
            Case{"msgid \"a\"\nmsgstr", "a.po:2:7: expected a string in quotation marks"},
            Case{"msgid \"a\"\n", "a.po:1:1: the entry has no msgstr"},
@@ -126,6 +127,8 @@ TEST(PoFile, AllFaultsAreToldAtMostOneOfAnEntryAndAHundredOfAFile) {
   EXPECT_EQ(faultsOf(kHead + "msgid \"a\nmsgstr \"b\n\nmsgid \"c\"\nmsgstr d\n"),
             "a.po:7:7: the string has no end, expected a quotation mark on the same line\n"
             "a.po:11:8: expected a string in quotation marks\n");
+  EXPECT_EQ(faultsOf("msgid \"a\nmsgstr d\nmsgstr e\n"),
+            "a.po:1:7: the string has no end, expected a quotation mark on the same line\n");
   std::string many;
   for (int i = 0; i < 1000; ++i) many += "msgid a\n\n";
   const std::string faults = faultsOf(many);

@@ -95,6 +95,8 @@ TEST(TranslationRules, KeysAreThoseOfTheEnglish) {
             "E 9: text 'a.b' names the keys F8, expected F7 as in English\n");
   EXPECT_EQ(saidOf("drive: W A S D", "fahren: W A S"),
             "E 9: text 'a.b' names the keys A S W, expected A D S W as in English\n");
+  EXPECT_EQ(saidOf("Leave", "Verlassen  F7"),
+            "E 9: text 'a.b' names the keys F7, expected none as in English\n");
   EXPECT_EQ(saidOf("A puck at rest", "Eine Scheibe ruht"), "");
   EXPECT_EQ(saidOf("What am I to do?", "Was tun?"), "");
   EXPECT_EQ(saidOf("H lists the keys", "Die Tasten"),
@@ -140,6 +142,7 @@ TEST(TranslationRules, LettersWithoutFontAreNamed) {
 
 TEST(TranslationRules, SpacesAtTheEndsAreThoseOfTheEnglish) {
   EXPECT_EQ(saidOf("Question:  ", "Frage:  "), "");
+  EXPECT_NE(saidOf("Question:  ", "Frage: "), "");
   EXPECT_EQ(saidOf("Question:  ", " Frage:"),
             "W 9: text 'a.b' begins with 1 spaces and ends with 0, expected 0 and 2 as in English\n");
 }
@@ -171,6 +174,8 @@ TEST(TranslationRules, TheGlossarysWordIsAsked) {
   EXPECT_EQ(saidOf("in its rest frame", "für das ruhende System", rules), "");
   EXPECT_EQ(saidOf("In 30 Frames", "in 30 BILDERN", rules), "");
   EXPECT_EQ(saidOf("framed", "gerahmt", rules), "");
+  EXPECT_EQ(saidOf("it rests frame by frame", "Bild", rules), "");
+  EXPECT_NE(saidOf("in their rest frames", "Bild", rules), "");
   EXPECT_EQ(saidOf("at rest {} frame", "in Ruhe {} Bild", rules), "");
   EXPECT_NE(saidOf("its rest: frame", "Rest: x", rules).find("'frame = Bezugssystem'"), std::string::npos);
   EXPECT_THROW(Glossary::read(folder.file("bad.txt", "frame\n")), InputErrors);
@@ -243,6 +248,8 @@ TEST(TranslationRules, EntriesAreOfTextsOfToday) {
             "W 15: text 'z' is not in this version: its translation is not used\n");
   EXPECT_EQ(said(headOf("de") + light + puck + "\nmsgid \"q\"\nmsgstr \"q\"\n", rules),
             "E 15: the text has no msgctxt, expected its name\n");
+  const std::string wrong = "msgctxt \"a.c\"\nmsgid \"puck\"\nmsgstr \"Scheibe {}\"\n";
+  EXPECT_EQ(judge(parsePo("a.po", headOf("de") + light + wrong), rules).translated.size(), 1U);
   const auto translated =
       judge(parsePo("a.po", headOf("de") + light + "#, fuzzy\n" + puck), rules).translated;
   ASSERT_EQ(translated.size(), 1U);
