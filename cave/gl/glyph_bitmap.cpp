@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <unordered_map>
 
 #include <raqm.h>
 #include <glm/common.hpp>
@@ -74,6 +75,17 @@ class Letters {
     return known->second;
   }
 
+  int advance_px(char32_t letter) {
+    const auto [known, isNew] = advances_px_.try_emplace(letter, 0);
+    if (isNew) {
+      FT_Face face = faces_[fontOf(letter).value_or(0)];
+      FT_Set_Pixel_Sizes(face, 0, kMeasured_px);
+      if (FT_Load_Char(face, letter, FT_LOAD_DEFAULT) == 0)
+        known->second = wholePixels(face->glyph->advance.x);
+    }
+    return known->second;
+  }
+
   static FT_GlyphSlot drawn(const raqm_glyph_t& glyph) {
     FT_Load_Glyph(glyph.ftface, glyph.index, FT_LOAD_RENDER);
     return glyph.ftface->glyph;
@@ -84,6 +96,7 @@ class Letters {
   std::vector<FT_Face> faces_;
   raqm_t* line_ = nullptr;
   std::map<int, int> descents_px_;  ///< by height
+  std::unordered_map<char32_t, int> advances_px_;
 };
 
 std::span<const raqm_glyph_t> Letters::place(const std::u32string& text, int height_px) {
@@ -169,6 +182,8 @@ int widthOf_px(std::string_view text) {
   for (const raqm_glyph_t& glyph : letters().place(codePointsOf(text), kMeasured_px)) pen += glyph.x_advance;
   return wholePixels(pen);
 }
+
+int advanceOf_px(char32_t letter) { return letters().advance_px(letter); }
 
 std::u32string lettersWithoutFont(std::string_view text) {
   std::u32string without;

@@ -41,6 +41,10 @@ GlyphBitmap ink(std::string_view text, int height_px);
 inline constexpr int kMeasured_px = 100;
 int widthOf_px(std::string_view text);
 
+/// Returns how far a letter moves the pen, in that height, where none stands beside it. Each letter is
+/// measured once. The letters of a line add up to its width but for their kerning.
+int advanceOf_px(char32_t letter);
+
 /// Returns the letters of a text that no installed font has, each once.
 std::u32string lettersWithoutFont(std::string_view text);
 

@@ -110,7 +110,7 @@ bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wal
     for (std::uint8_t answer = 0; answer <= words.answers.size(); ++answer) {
       FrameRecord record;
       record.lesson = {phase, answer};
-      describe(record, words, plan, {}, bandLetters(wall), lines);
+      describe(record, words, plan, {}, bandRoom(wall), lines);
       if (heightOf(lines) * PanelPlace::bandLetter(wall) > PanelPlace::mostOfBand(wall)) return false;
     }
   }
