@@ -39,6 +39,7 @@ class Letters {
       FT_Face face = nullptr;
       if (FT_New_Face(library_, font.file, 0, &face) == 0) {
         faces_.push_back(face);
+        places_.push_back(static_cast<std::size_t>(&font - kFonts.data()));
       } else if (faces_.empty()) {
         FT_Done_FreeType(library_);
         throw std::runtime_error(std::string("the font ") + font.file +
@@ -60,6 +61,8 @@ class Letters {
     }
     return {};
   }
+
+  std::size_t placeInChain(std::size_t face) const { return places_[face]; }
 
   /// Returns the letters of a line, placed. They are valid until the next call.
   std::span<const raqm_glyph_t> place(const std::u32string& text, int height_px);
@@ -94,6 +97,7 @@ class Letters {
  private:
   FT_Library library_ = nullptr;
   std::vector<FT_Face> faces_;
+  std::vector<std::size_t> places_;  ///< of the faces in the chain
   raqm_t* line_ = nullptr;
   std::map<int, int> descents_px_;  ///< by height
   std::unordered_map<char32_t, int> advances_px_;
@@ -184,6 +188,11 @@ int widthOf_px(std::string_view text) {
 }
 
 int advanceOf_px(char32_t letter) { return letters().advance_px(letter); }
+
+std::optional<std::size_t> fontOf(char32_t letter) {
+  const std::optional<std::size_t> face = letters().fontOf(letter);
+  return face ? std::optional(letters().placeInChain(*face)) : std::nullopt;
+}
 
 std::u32string lettersWithoutFont(std::string_view text) {
   std::u32string without;
