@@ -42,14 +42,18 @@ EffectsPanel::EffectsPanel(KeysOf keys) : keys_(keys) {
 float EffectsPanel::width_px(float least_px) const {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float em = ImGui::GetFontSize(), sides_px = 2.0F * style.WindowPadding.x;
-  for (std::size_t i = 0; i < kNamedViews.size(); ++i) {
-    const float box_px = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x;
-    const float key_px = style.ItemSpacing.x + widthOf({viewKeys_[i].c_str()}, 0.0F);
-    least_px = std::max(least_px, sides_px + box_px + widthOf({kNamedViews[i].words}, 0.0F) + key_px);
-  }
-  const float boxes_px = 2.0F * kTicks_em * em + kKeys_em * em + 8.0F * style.CellPadding.x;
+  const float box_px = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x;
+  const auto keep = [&](const char* name, float beside_px) {
+    least_px = std::max(least_px, sides_px + widthOf({name}, 0.0F) + beside_px);
+  };
+  const auto keepTicked = [&](const char* name, const std::string& key) {
+    keep(name, box_px + style.ItemSpacing.x + widthOf({key.c_str()}, 0.0F));
+  };
+  for (std::size_t i = 0; i < kNamedViews.size(); ++i) keepTicked(kNamedViews[i].words, viewKeys_[i]);
+  const KeyLine comfort = keyFor(keys_, "comfort");  // the longest of the walls' names
+  keepTicked(comfort.does.c_str(), comfort.keys);
   for (const NamedSwitch& effect : kNamedSwitches)
-    least_px = std::max(least_px, sides_px + widthOf({effect.words}, 0.0F) + boxes_px);
+    keep(effect.words, 2.0F * kTicks_em * em + kKeys_em * em + 8.0F * style.CellPadding.x);
   return least_px;
 }
 

@@ -30,16 +30,18 @@ double heightOf(std::span<const HudLine> lines) {
 void addChips(const HudLine& line, std::size_t number, BandLayout& layout) {
   const auto px = [&](double letters) { return static_cast<int>(letters * layout.height_px); };
   const BandPart& whole = layout.lines[number];
+  const double most = static_cast<double>(layout.size_px.x) / layout.height_px - 2.0 * kBandMargin;
   double left = kBandMargin + afterText(line);
   int right_px = layout.size_px.x - px(kBandMargin);
   for (std::size_t i = 0; i < line.chips.size(); ++i) {
     const HudChip& chip = line.chips[i];
-    const int width_px = px(widthOf(chip));
+    const double width = std::min(widthOf(chip), most);  // a longer one gets smaller letters
+    const int width_px = px(width);
     const int from_px = chip.atRight ? right_px - width_px : px(left);
     if (chip.atRight) {
       right_px = from_px - px(kChipGap);
     } else {
-      left += widthOf(chip) + kChipGap;
+      left += width + kChipGap;
     }
     layout.buttons.push_back(
         {chip.action,
