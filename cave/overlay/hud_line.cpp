@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kLetterWidth = 0.54, kAfterText = 0.6;  // of running text, in the nominal height
 constexpr double kWidestLetter = 0.6;                    // on the average of a line
-constexpr double kLeastClear = 0.25;  // beside letters that are wider than that of running text
+constexpr double kLeastClear = 0.1,
+                 kLeastSides = 0.5;  // beside letters that are wider than that of running text
+constexpr double kSmaller = 0.95;    // by so much the letters of a chip may shrink
 constexpr std::size_t kIndentColumns = 3;
 
 double runningWidthOf(std::string_view text) { return kLetterWidth * static_cast<double>(columnsOf(text)); }
@@ -35,7 +37,8 @@ LineRoom behindIndent(const LineRoom& room) {
 }
 
 double widthOf(const HudChip& chip) {
-  return std::max(runningWidthOf(chip.text) + 2.0 * kChipPadding, widthOf_em(chip.text) + 2.0 * kLeastClear);
+  return std::max(runningWidthOf(chip.text) + 2.0 * kChipPadding,
+                  kSmaller * widthOf_em(chip.text) + kLeastSides);
 }
 
 double afterText(const HudLine& line) {

@@ -10,8 +10,10 @@
 #include <toml++/toml.h>
 
 #include "app/files/rig.h"
+#include "app/files/scenario.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/overlay/hud_line.h"
+#include "cave/overlay/hud_text.h"
 #include "cave/overlay/line_breaks.h"
 #include "cave/room/room_geometry.h"
 
@@ -100,6 +102,35 @@ TEST(LineBreaks, EnglishLinesEndWhereTheirNumberOfLettersEndsThem) {
         EXPECT_EQ(linesOf(text, part), wordLines(text, part.columns)) << part.columns << " columns: " << text;
     }
   }
+}
+
+// Chips of the shipped lessons are as wide as the number of their letters makes them, and stand where the
+// number of those before them puts them.
+TEST(LineBreaks, EnglishChipsAreAsWideAsTheirNumberOfLetters) {
+  constexpr double kLetter = 0.54;
+  int chips = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
+    const Scenario game = readScenario(entry.path());
+    if (!game.lesson) continue;
+    for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
+      FrameRecord record;
+      record.lesson = {phase, 1};
+      std::vector<HudLine> lines;
+      describe(record, game.lesson->words, game.lesson->plan, {}, {60, 34.0}, lines);
+      for (const HudLine& line : lines) {
+        if (line.chips.empty()) continue;
+        const auto letters = static_cast<double>(columnsOf(line.text));
+        EXPECT_DOUBLE_EQ(afterText(line), line.text.empty() ? 0.0 : kLetter * letters + 0.6) << line.text;
+        for (const HudChip& chip : line.chips) {
+          EXPECT_DOUBLE_EQ(widthOf(chip), kLetter * static_cast<double>(columnsOf(chip.text)) + 1.2)
+              << chip.text;
+          ++chips;
+        }
+      }
+    }
+  }
+  EXPECT_GT(chips, 100);
+  EXPECT_GT(widthOf({{}, "光は遅い、だから過去が見える"}), 14.0) << "wider letters need more";
 }
 
 /// A line of the reference: its parts, between which Unicode allows a break.
