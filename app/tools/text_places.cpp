@@ -125,7 +125,7 @@ class Places {
     if (!isLegend && !isNotice) return;
     constexpr double kBesideText = 4.0;  // of the panel's letters
     const double margin_px = PanelPlace::kMargin * front_.pixels.y;
-    addShrinking(entry, "panel", widestLine_em(words, isLegend ? kLegendRoom : kPanelRoom) + kBesideText,
+    addShrinking(entry, "panel", widestLine_em(words, isLegend ? legendRoom() : kPanelRoom) + kBesideText,
                  PanelPlace::kCapital_m * front_.textSize / PanelPlace::kCapitalOfLetters * front_.pixels.y /
                      sizeOf_m(front_).y,
                  front_.pixels.x - 2.0 * margin_px);
@@ -149,7 +149,10 @@ class Places {
                                  : entry == "tile.kKeys"       ? "H"
                                                                : "";
     const double beside_em = (1.0 / 3.0 + kTileKey * widthOf_em(key)) / kTileLetters;
-    addShrinking(entry, "tile", widthOf_em(words) + beside_em, kTileLetters * flat_px, 0.92 * wide_px);
+    const double least_px = std::min<double>(kLeastLetter_px, kTileLetters * flat_px);
+    const bool hasKey = isEnglish() || (widthOf_em(words) + beside_em) * least_px <= 0.92 * wide_px;
+    addShrinking(entry, "tile", widthOf_em(words) + (hasKey ? beside_em : 0.0), kTileLetters * flat_px,
+                 0.92 * wide_px);
     if (isChoice)
       addShrinking(entry, "high tile", widthOf_em(words),
                    0.5 * tilesOn(front_, false).front().size_m.y / sizeOf_m(front_).y * front_.pixels.y,
@@ -199,7 +202,8 @@ class Places {
           kConsoleWide_px / 2.0);
   }
 
-  /// The tabs of the console together; where they have no room they are scrolled, with a list of all.
+  /// The console's usual tabs together; with those of a class, a study or a link they may be scrolled, with a
+  /// list of all.
   void addTabs() {
     double wide_px = 0.0;
     for (const auto& [entry, words] : byEntry_) {

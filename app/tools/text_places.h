@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/files/rig.h"
+#include "cave/overlay/hud_line.h"
 
 namespace carom {
 
@@ -27,9 +28,6 @@ struct TextPlace {
   int room_px = 0;
   int over_px() const { return width_px > room_px ? width_px - room_px : 0; }
 };
-
-/// Smaller letters are illegible.
-inline constexpr int kLeastLetter_px = 9;
 
 /// Returns the words of an entry with the widest values that its places can get: `name` for a place without a
 /// format of words that people read in the room, else the number of kWidestValues (text_places.cpp).

@@ -59,7 +59,8 @@ void layOut(const Wall& wall, const glm::ivec2& picture_px, std::span<const HudL
   layout.buttons.clear();
   const double letters_px = PanelPlace::bandLetter(wall) * picture_px.y;
   const double most_px = PanelPlace::mostOfBand(wall) * picture_px.y / heightOf(lines);
-  layout.height_px = std::max(1, static_cast<int>(std::min(std::ceil(letters_px), most_px)));
+  const double least_px = std::min<double>(leastLetter_px(), std::ceil(letters_px));
+  layout.height_px = std::max(1, static_cast<int>(std::clamp(most_px, least_px, std::ceil(letters_px))));
   layout.size_px = {picture_px.x, static_cast<int>(heightOf(lines) * layout.height_px)};
   int top_px = layout.size_px.y - layout.height_px / 2;
   const int margin_px = static_cast<int>(0.5 * kBandMargin * layout.height_px);

@@ -6,6 +6,7 @@
 
 #include "cave/overlay/band_layout.h"
 #include "cave/overlay/panel_place.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -20,6 +21,12 @@ constexpr std::size_t kIndentColumns = 3;
 double runningWidthOf(std::string_view text) { return kLetterWidth * static_cast<double>(columnsOf(text)); }
 
 }  // namespace
+
+bool isEnglish() { return std::string_view(texts::kLanguage) == "en"; }
+
+int leastLetter_px() { return isEnglish() ? 1 : kLeastLetter_px; }
+
+LineRoom legendRoom() { return isEnglish() ? kLegendRoom : kPanelRoom; }
 
 LineRoom bandRoom(const Wall& wall) {
   const double letter_px = PanelPlace::bandLetter(wall) * wall.pixels.y;

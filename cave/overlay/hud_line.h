@@ -42,6 +42,15 @@ struct HudLine {
 /// need no more.
 inline constexpr LineRoom kPanelRoom{40, 24.0}, kLegendRoom{100, 60.0};
 
+/// What English has at its places stays as it always was. Other languages have no letters lower than this,
+/// and their long entries of the legend are broken like other lines.
+inline constexpr int kLeastLetter_px = 9;
+bool isEnglish();
+/// Returns the height below which letters do not shrink.
+int leastLetter_px();
+/// Returns the room of an entry of the legend.
+LineRoom legendRoom();
+
 /// Returns the room of a line of the band on a wall.
 LineRoom bandRoom(const Wall& wall);
 /// Returns what is left of a line that is indented.

@@ -39,9 +39,9 @@ class Lines {
     entry_.clear();
     fmt::format_to(std::back_inserter(entry_), words, std::forward<Values>(values)...);
     breaker_.begin(entry_);
-    HudLine& line = begin(breaker_.take(kLegendRoom));
-    line.mark = mark;
-    while (!breaker_.isAtEnd()) begin(breaker_.take(behindIndent(kLegendRoom))).setIn = true;
+    const LineRoom room = legendRoom();
+    begin(breaker_.take(room)).mark = mark;
+    while (!breaker_.isAtEnd()) begin(breaker_.take(behindIndent(room))).setIn = true;
   }
 
   /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented.
