@@ -63,6 +63,17 @@ std::size_t lettersOf(std::string_view words) {
       std::count_if(words.begin(), words.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
+/// Returns how wide the widest line of a text is.
+double widestLine_em(std::string_view words, const LineRoom& room) {
+  LineBreaker breaker;
+  double widest = 0.0;
+  for (breaker.begin(words); !breaker.isAtEnd();) widest = std::max(widest, widthOf_em(breaker.take(room)));
+  return widest;
+}
+
+/// Returns the height of the band's letters.
+double bandLetter_px(const Wall& front) { return std::ceil(PanelPlace::bandLetter(front) * front.pixels.y); }
+
 /// Adds the places of a rig.
 class Places {
  public:
@@ -109,14 +120,6 @@ class Places {
         room_px);
   }
 
-  /// The widest line of a text in lines.
-  static double widestLine_em(std::string_view words, const LineRoom& room) {
-    LineBreaker breaker;
-    double widest = 0.0;
-    for (breaker.begin(words); !breaker.isAtEnd();) widest = std::max(widest, widthOf_em(breaker.take(room)));
-    return widest;
-  }
-
   void addOnPanel(const std::string& entry, const std::string& words) {
     const bool isLegend = isOf(entry, "legend.");
     const std::string part = fileAndPart(entry).second;
@@ -131,10 +134,9 @@ class Places {
                  front_.pixels.x - 2.0 * margin_px);
     if (isLegend) return;
     const LineRoom band = bandRoom(front_);
-    add(entry, "band", widestLine_em(words, band) * bandLetter_px(), band.width_em * bandLetter_px());
+    add(entry, "band", widestLine_em(words, band) * bandLetter_px(front_),
+        band.width_em * bandLetter_px(front_));
   }
-
-  double bandLetter_px() const { return std::ceil(PanelPlace::bandLetter(front_) * front_.pixels.y); }
 
   void addOnTile(const std::string& entry, const std::string& words) {
     if (!isOf(entry, "tile.") || isOf(entry, "tile.kChoiceKeys")) return;
@@ -255,7 +257,7 @@ class Places {
   }
 
   void addLesson(const std::string& entry, const Lesson& lesson, LessonPhase phase) {
-    double widest_em = 0.0, lowest_px = bandLetter_px();
+    double widest_em = 0.0, lowest_px = bandLetter_px(front_);
     int rightmost_px = 0;
     for (std::uint8_t answer = 0; answer <= lesson.words.answers.size(); ++answer) {
       FrameRecord record;
@@ -271,7 +273,7 @@ class Places {
         rightmost_px = std::max(rightmost_px, button.part.from_px.x + button.part.size_px.x);
     }
     const LineRoom room = bandRoom(front_);
-    add(entry, "lines of the band", widest_em * bandLetter_px(), room.width_em * bandLetter_px());
+    add(entry, "lines of the band", widest_em * bandLetter_px(front_), room.width_em * bandLetter_px(front_));
     add(entry, "buttons of the band", rightmost_px, front_.pixels.x);
     // As high as with the least letters, in the place of what there is.
     const double high_px = PanelPlace::mostOfBand(front_) * front_.pixels.y;

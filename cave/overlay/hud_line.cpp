@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "cave/overlay/band_layout.h"
 #include "cave/overlay/panel_place.h"
 #include "cave/texts/texts.h"
 
@@ -12,7 +11,7 @@ namespace carom {
 namespace {
 
 constexpr double kLetterWidth = 0.54, kAfterText = 0.6;  // of running text, in the nominal height
-constexpr double kWidestLetter = 0.6;                    // on the average of a line
+constexpr double kWidestLetter = 0.56;                   // on the average of a line
 constexpr double kLeastClear = 0.1,
                  kLeastSides = 0.5;  // beside letters that are wider than that of running text
 constexpr double kSmaller = 0.95;    // by so much the letters of a chip may shrink
@@ -22,7 +21,7 @@ double runningWidthOf(std::string_view text) { return kLetterWidth * static_cast
 
 }  // namespace
 
-bool isEnglish() { return std::string_view(texts::kLanguage) == "en"; }
+bool isEnglish() { return texts::kLanguage[0] == 'e' && texts::kLanguage[1] == 'n'; }
 
 int leastLetter_px() { return isEnglish() ? 1 : kLeastLetter_px; }
 

@@ -58,6 +58,7 @@ LineRoom behindIndent(const LineRoom& room);
 
 // In the nominal height of the letters.
 inline constexpr double kChipPadding = 0.6, kChipGap = 0.5, kIndent = 1.6;
+inline constexpr double kBandMargin = 1.25;  ///< where the band's text begins
 /// Returns how wide a chip is, with its padding.
 double widthOf(const HudChip& chip);
 /// Returns where the first chip behind a line's text begins, from where the text does.
