@@ -12,6 +12,8 @@ class EffectsPanel {
  public:
   explicit EffectsPanel(KeysOf keys);
 
+  /// Returns how wide the column's names and keys are, but at least this.
+  float width_px(float least_px) const;
   /// Draws the column. `usual_m_s` is the scenario's own light speed.
   void draw(const ConsoleFrame& frame, double usual_m_s);
 

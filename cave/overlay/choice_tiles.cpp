@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include "cave/overlay/hud_line.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/texts.h"
 
@@ -57,10 +58,16 @@ const ChoiceTiles::Label& ChoiceTiles::labelOf(const WallAction& action, const g
       key_px = std::max(1, (flat ? 40 : 25) * tile_px.y / 100);
   Label label{action, tile_px, ink(name, name_px), ink(key, key_px)};
   const int most_px = 92 * tile_px.x / 100;
-  const int wide_px = label.name.size_px.x + (flat ? tile_px.y / 3 + label.key.size_px.x : 0);
+  const int least_px = std::min(leastLetter_px(), name_px), name_wide_px = label.name.size_px.x;
+  int wide_px = name_wide_px + (flat ? tile_px.y / 3 + label.key.size_px.x : 0);
+  const bool hasKey = !flat || wide_px <= most_px || name_px * most_px / wide_px >= least_px;
+  if (!hasKey) {  // the list of keys has it
+    label.key = {};
+    wide_px = name_wide_px;
+  }
   if (wide_px > most_px) {  // smaller letters
-    label.name = ink(name, std::max(1, name_px * most_px / wide_px));
-    label.key = ink(key, std::max(1, key_px * most_px / wide_px));
+    label.name = ink(name, std::max(least_px, name_px * most_px / wide_px));
+    if (hasKey) label.key = ink(key, std::max(1, key_px * most_px / wide_px));
   }
   labels_.push_back(std::move(label));
   return labels_.back();

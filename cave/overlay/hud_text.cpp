@@ -23,90 +23,83 @@ namespace {
 
 using Kind = WallAction::Kind;
 
-constexpr std::size_t kIndentLetters = 3;  // as wide as the indent of a line
 constexpr glm::vec3 kSeenMark(0.92F);
 
 /// Builds the lines, one after the other, in memory that is reused.
 class Lines {
  public:
-  Lines(std::vector<HudLine>& lines, std::size_t letters) : lines_(lines), letters_(letters) {}
+  Lines(std::vector<HudLine>& lines, const LineRoom& room) : lines_(lines), room_(room) {}
   ~Lines() { lines_.resize(count_); }
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
-  /// Adds a line of the catalogue.
+  /// Adds an entry of the legend: a line, or more if it is long.
   template <typename... Values>
   void add(const std::optional<glm::vec3>& mark, texts::CheckedText<Values...> words,
            const Values&... values) {
-    texts::formatTo(begin(mark).text, words, values...);
+    entry_.clear();
+    texts::formatTo(entry_, words, values...);
+    addEntry(mark, entry_);
   }
 
-  /// Adds a line of these words.
-  void addWords(const std::optional<glm::vec3>& mark, std::string_view first, std::string_view more = {}) {
-    begin(mark).text.append(first).append(more);
+  /// Adds an entry of these words.
+  void addEntry(const std::optional<glm::vec3>& mark, std::string_view words) {
+    breaker_.begin(words);
+    const LineRoom room = legendRoom();
+    begin(breaker_.take(room)).mark = mark;
+    while (!breaker_.isAtEnd()) begin(breaker_.take(behindIndent(room))).setIn = true;
   }
 
   /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented.
   /// With a `row` they are a button.
   void wrap(std::string_view words, std::string_view first = {}, bool urgent = false, WallAction row = {}) {
-    for (bool begins = true; !words.empty(); begins = false) {
-      const std::size_t taken = first.empty() ? 0 : begins ? first.size() : kIndentLetters;
-      const std::size_t bytes = fitting(words, letters_ - std::min(taken, letters_ - 1));
-      addWords({}, begins ? first : std::string_view(), words.substr(0, bytes));
-      lines_[count_ - 1].urgent = urgent;
-      lines_[count_ - 1].row = row;
-      lines_[count_ - 1].setIn = !begins && !first.empty();
-      words.remove_prefix(std::min(words.size(), bytes + 1));  // including the space
+    breaker_.begin(words);
+    for (bool begins = true; !breaker_.isAtEnd(); begins = false) {
+      HudLine& line = begin(begins ? first : std::string_view());
+      line.text += breaker_.take(first.empty() ? room_ : begins ? behind(first) : behindIndent(room_));
+      line.urgent = urgent;
+      line.row = row;
+      line.setIn = !begins && !first.empty();
     }
   }
 
   /// Adds a line that begins with these words and goes on with chips; more lines if the chips need them.
   void addChips(std::string_view words, std::span<const HudChip> chips) {
-    addWords({}, words);
+    begin(words);
     for (const HudChip& chip : chips) {
-      if (!chipFits(lines_[count_ - 1], chip, letters_)) addWords({}, {});
+      if (!chipFits(lines_[count_ - 1], chip, room_)) begin({});
       lines_[count_ - 1].chips.push_back(chip);
     }
   }
 
  private:
-  HudLine& begin(const std::optional<glm::vec3>& mark) {
+  /// Begins a line with these words.
+  HudLine& begin(std::string_view words) {
     if (count_ == lines_.size()) lines_.emplace_back();
     HudLine& line = lines_[count_++];
-    line.mark = mark;
+    line.mark.reset();
     line.urgent = line.setIn = false;
     line.row = {};
     line.chips.clear();
-    line.text.clear();
+    line.text.assign(words);
     return line;
   }
 
-  /// Returns whether a space stands before a unit, as in "0.6 c" and "2.84 m".
-  static bool beforeUnit(std::string_view words, std::size_t space) {
-    const auto letter = [&](std::size_t at) {
-      return at < words.size() && words[at] >= 'a' && words[at] <= 'z';
-    };
-    return space > 0 && words[space - 1] >= '0' && words[space - 1] <= '9' && letter(space + 1) &&
-           !letter(space + 2);
-  }
-
-  /// Returns how many bytes of whole words have at most this many letters; if the first word has more, its
-  /// bytes alone.
-  static std::size_t fitting(std::string_view words, std::size_t most) {
-    std::size_t letters = 0, fits = 0;
-    for (std::size_t i = 0; i <= words.size(); ++i) {
-      const bool ends = i == words.size() || (words[i] == ' ' && !beforeUnit(words, i));
-      if (ends && (letters <= most || fits == 0)) fits = i;
-      if (ends && letters >= most) break;
-      if (ends || (static_cast<unsigned char>(words[i]) & 0xC0U) != 0x80U) ++letters;
-    }
-    return fits;
+  /// Returns what is left of a line that begins with these words.
+  LineRoom behind(std::string_view words) const {
+    return {room_.columns - std::min(columnsOf(words), room_.columns - 1),
+            std::max(room_.width_em - widthOf_em(words), 0.0)};
   }
 
   std::vector<HudLine>& lines_;
-  std::size_t letters_;
+  LineRoom room_;
+  static thread_local LineBreaker breaker_;
+  static thread_local std::string entry_;
   std::size_t count_ = 0;
 };
+
+thread_local LineBreaker Lines::breaker_;
+thread_local std::string Lines::entry_;
 
 void addLight(const SeenFrame& seen, Lines& lines) {
   lines.add({}, texts::legend::kLight, seen.record.lightSpeed_m_s);
@@ -309,7 +302,7 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   for (const NamedView& view : kNamedViews) {
     if (!view.legend || !(views.*view.value)) continue;
     const bool isEvents = view.value == &TimeViews::events;
-    lines.addWords(isEvents ? std::optional(kEventColour) : std::nullopt, view.legend);
+    lines.addEntry(isEvents ? std::optional(kEventColour) : std::nullopt, view.legend);
     if (isEvents) lines.add(kFlashColour, texts::legend::kFlash);
   }
   if (views.frozen) lines.add({}, texts::legend::kFrozen);
@@ -322,8 +315,8 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
 }  // namespace
 
 void describe(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
-              std::size_t letters, std::vector<HudLine>& words, bool mayLeave) {
-  Lines lines(words, letters);
+              const LineRoom& room, std::vector<HudLine>& words, bool mayLeave) {
+  Lines lines(words, room);
   lines.wrap(seen.self.notice.words(), {}, true);
   addLesson(seen, lesson, plan, viewers, mayLeave, lines);
   if (seen.record.lesson.phase == LessonPhase::none) {
@@ -336,7 +329,7 @@ void describe(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan
 }
 
 void HudText::setWall(const Wall& wall, std::span<const RoomViewer> viewers) {
-  bandLetters_ = bandLetters(wall);
+  bandRoom_ = bandRoom(wall);
   viewers_.assign(viewers.begin(), viewers.end());
 }
 
@@ -359,7 +352,7 @@ bool HudText::follow(const SeenFrame& seen) {
   lessonState_ = seen.record.lesson;
   notice_ = seen.self.notice;
   isBand_ = seen.record.lesson.phase != LessonPhase::none;
-  describe(seen, lesson_, plan_, viewers_, isBand_ ? bandLetters_ : kLineLetters, lines_, mayLeave_);
+  describe(seen, lesson_, plan_, viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_);
   return true;
 }
 

@@ -24,8 +24,6 @@ constexpr float kFlat = 0.0F;
 constexpr float kGlow = -1.0F;
 constexpr float kDisc = -2.0F;
 constexpr int kShape = 16;
-const std::string kCells =
-    fmt::format("const vec2 kCells = vec2({}.0, {}.0);\n", kLetterColumns, kLetterRows);
 constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, for each shape
 constexpr std::size_t kLettersInAFloat = 3;                  // of 8 bits: as many as it holds exactly
 
@@ -35,6 +33,13 @@ glm::vec4 packed(const PlateText& text) {
     in[static_cast<int>(i / kLettersInAFloat)] =
         256.0F * in[static_cast<int>(i / kLettersInAFloat)] + text.letters[i];
   return in;
+}
+
+/// Returns the shader of marks, for the picture of letters as it is.
+std::string markShader() {
+  return fmt::format("#version 150\nconst vec2 kCells = vec2({}.0, {}.0);\n", kLetterColumns,
+                     letterAtlas().rows) +
+         shaders::mark_frag;
 }
 
 /// Returns a copy of the letters on the graphics card, smaller ones for plates far away.
@@ -171,7 +176,7 @@ void MarkBuffer::addRound(const glm::dvec3& drawn_m, double radius_m, const glm:
 }
 
 MarkDrawer::MarkDrawer()
-    : program_(makeProgram("mark", shaders::mark_vert, "#version 150\n" + kCells + shaders::mark_frag)),
+    : program_(makeProgram("mark", shaders::mark_vert, markShader())),
       stream_(program_, {{"drawn_m", 3, offsetof(MarkCorner, drawn_m)},
                          {"ink", 4, offsetof(MarkCorner, colour)},
                          {"on", 2, offsetof(MarkCorner, on)},
