@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "app/file_keys/session_languages.h"
+
 namespace carom {
 
 /// The SQLite application id of a journal ("Caro") and the version of its tables: another one whenever a
 /// column or a table is added. Files of other versions are refused.
 inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 11;
+inline constexpr int kJournalVersion = 12;
 
 /// Returns the key of the table session under which the name of a viewer stands: viewer, viewer_2, …
 inline std::string keyOfViewer(std::size_t viewer) {
@@ -33,6 +35,7 @@ struct SessionFacts {
   std::vector<std::string> trackers = {};         ///< the same of its trackers; not read back
   std::array<int, 2> eyePixels{};                 ///< of each eye's picture in a headset; 0: there was none
   double textSize = 1.0;                          ///< of the walls' words, a factor
+  SessionLanguages languages{};                   ///< and which of them the viewers read at first
   bool hasClass = false;                          ///< a class takes part, whose votes are kept; not read back
   bool isLinked = false;                          ///< with another room, which is kept
   bool isAnotherGame = false;  ///< of a file that goes on: a game after those in it; not read back

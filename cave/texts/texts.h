@@ -155,6 +155,7 @@ inline constexpr Text kHowUnwell =
     "How unwell do you feel? Answer on the tablet, or tell the person who leads. You may stop at any time.";
 inline constexpr Text kNoVelocities = "F2 to F4 choose a velocity in lessons that offer some.";
 inline constexpr Text kNoSuchKey = "This key does nothing here. H lists the keys.";
+inline constexpr Text kOneLanguage = "This session has one language only.";
 inline constexpr Text kNoLesson = "There is no lesson in today's programme.";
 inline constexpr Text kNoTasks = "There are no tasks in today's programme.";
 inline constexpr Text kNoShow = "This show is not in today's programme.";
@@ -275,6 +276,7 @@ inline constexpr Text kShowMe = "Show me: relativity in a minute";
 inline constexpr Text kLessons = "Lessons: the next one";
 inline constexpr Text kPlay = "Play: back to the table";
 inline constexpr Text kNextVisitor = "the next visitor: everything as at the beginning";
+inline constexpr Text kNextLanguage = "the next language";
 inline constexpr Text kFlight = "start the round trip";
 inline constexpr Text kPatterns = "patterns";
 inline constexpr Text kBlack = "black walls";
@@ -418,6 +420,7 @@ inline constexpr Text kNewsTip =
 inline constexpr Text kOn = "on", kLeft = "left", kRight = "right", kKeyColumn = "keys";
 inline constexpr Text kRightTip =
     "For the right half of every wall, when it is drawn otherwise (\"Newton beside Einstein\").";
+inline constexpr Text kLanguage = "Language", kLanguageOf = "Language of {}";
 inline constexpr Text kLightAndEyes = "Light and eyes";
 inline constexpr Text kLightSlider = "%.2f m/s", kEyesSlider = "%.1f mm", kPlaceSlider = "%.2f s";
 inline constexpr Text kLightSliderTip =
