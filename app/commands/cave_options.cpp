@@ -61,6 +61,7 @@ void addRigAndScenario(CLI::App& command, const std::shared_ptr<CaveOptions>& op
                   "Scenario file. With --frames or --no-window, the default is scenarios/three-pucks.toml")
       ->default_str(fileOfGame(kWelcome))
       ->transform(shipped({"scenarios"}));
+  addLanguage(command, options->language);
 }
 
 /// Adds the options of the beginning: effects, views of time, the phase of a lesson.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/file_keys/session_languages.h"
 #include "app/files/playlist.h"
 #include "app/stage/desk_windows.h"
 #include "app/stage/recording.h"
@@ -52,9 +53,11 @@ struct CaveOptions {
   std::optional<LessonPhase> lesson;  ///< the phase in which a lesson begins; empty: the usual one
   bool hideRight = false;             ///< lessons do not tell the right answer
   double textSize = 1.0;              ///< of the walls' words, a factor
-  Switches switches;                  ///< at the start
-  TimeViews views;                    ///< at the start
-  ExtraWindows extra;                 ///< what rank 0 also shows
+  std::string language;               ///< of the words; empty: as the rig says
+  std::shared_ptr<const SessionLanguages> languages{};  ///< of the session, settled when it begins
+  Switches switches;                                    ///< at the start
+  TimeViews views;                                      ///< at the start
+  ExtraWindows extra;                                   ///< what rank 0 also shows
   std::optional<double> unattended_s;  ///< the next visitor is welcomed after so long without a sign of life
 };
 

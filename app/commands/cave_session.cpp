@@ -23,6 +23,7 @@
 #include "app/journal/session_file.h"
 #include "app/journal/session_series.h"
 #include "app/operator/lesson.h"
+#include "app/operator/room_languages.h"
 #include "app/operator/visitor_choices.h"
 #include "app/session/game_settings.h"
 #include "app/session/live_source.h"
@@ -48,6 +49,19 @@ std::unique_ptr<Clock> clockOf(const SessionSetup& setup, const CaveOptions& opt
 }
 
 KeysOf keysOf(const CaveOptions& options) { return options.byMouse ? KeysOf::dryRun : KeysOf::session; }
+
+/// Returns the keyboard whose layout names the keys; none without windows.
+std::optional<KeyboardLayout> keyboardOf(const SessionSetup& setup, const CaveOptions& options) {
+  if (!setup.realTime || options.noWindow) return {};
+  return KeyboardLayout();
+}
+
+/// Gives all nodes the names that the keys have on that of rank 0, as the session begins.
+void shareKeyNames(const Cluster& cluster) {
+  std::string names = keyNamesInUse();
+  cluster.share(names);
+  useKeyNames(names);
+}
 
 /// Returns whether the keys that end the session are always locked: it runs unattended or with a study.
 bool isLockedAlways(const CaveOptions& options) { return options.unattended_s || !options.study.empty(); }
@@ -97,6 +111,7 @@ std::unique_ptr<Journal> openJournal(const CaveOptions& options, WrittenGame gam
   facts.viewers = namesOf(setup.rig.viewers);
   for (const TrackerSetup& tracker : setup.rig.trackers) facts.trackers.push_back(tracker.name);
   facts.textSize = inputs.textSize;
+  facts.languages = inputs.languages;
   if (setup.headset) facts.eyePixels = {setup.headset->pixels().x, setup.headset->pixels().y};
   facts.hasClass = options.hasClass;
   facts.isLinked = !options.link.empty();
@@ -140,7 +155,7 @@ Before whatWas(const std::filesystem::path& file) {
 
 /// Returns the settings with which the session begins.
 Beginning beginningOf(const CaveOptions& options) {
-  return {options.switches, options.views, options.lesson, !options.frames, options.games};
+  return {options.switches, options.views, options.lesson, !options.frames, options.games, options.languages};
 }
 
 /// Returns the initial settings of the session: from the options, or from the session that is continued.
@@ -156,6 +171,10 @@ OperatorSettings firstSettings(const SessionSetup& setup, const CaveOptions& opt
   settings.views = before.last->views;
   settings.views.frozen = 0;
   settings.lightSpeed_m_s = before.last->lightSpeed_m_s;
+  if (options.language.empty()) {
+    for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer)
+      settings.languageOf[viewer] = before.last->viewers[viewer].language;
+  }
   const ObserverView& observer = before.last->viewers.front().observer;
   // Rounded to a tenth of a micrometre, which restores the value without its rounding errors.
   settings.eyeSeparation_m =
@@ -221,8 +240,9 @@ struct LivePlay {
         pacer(pacerFor(setup, *clock, livedOf_s(start), start.firstFrame())),
         source(setup.rig, setup.scenario, setup.world, start),
         leader(source, keysOf(options), firstSettings(setup, options, inputs.scenario.file.string(), before),
-               devicesOf(setup.realTime ? setup.walls.get() : nullptr, keysOf(options)), options.unattended_s,
-               options.scenario.string()),
+               devicesOf(setup.realTime ? setup.walls.get() : nullptr, keysOf(options),
+                         keyboardOf(setup, options)),
+               options.unattended_s, options.scenario.string()),
         sounds(soundsFor(setup, options.silent || options.noWindow)),
         phones(options.takes || options.follows ? std::make_unique<CavePhones>(options) : nullptr),
         classroom(openClass(options, setup, inputs, before, phones.get())) {
@@ -366,7 +386,8 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
     if (play->study && session) play->study->begun();
     if (play->phones) play->phones->play(setup, session.value_or(""));
     if (windows.console) windows.console->writeTo(session);
-    if (play->status) play->status->play(setup.rig, setup.scenario.title, session.value_or(""));
+    if (play->status)
+      play->status->play(setup.rig, setup.scenario.title, session.value_or(""), setup.languages);
     OperatorSettings settings =
         settingsOfNext(play->leader.settings(), next, setup.rig, setup.scenario, beginningOf(options));
     if (play->study) play->study->applyTo(settings);
@@ -406,10 +427,8 @@ bool playGame(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, L
 
 /// Reads the playlist, of the options or of the rig, and begins with its first game if no other was asked
 /// for. A session that goes on begins with its own game.
-void takePlaylist(CaveOptions& options, SetupOptions& inputs) {
-  const InputFile& rig = inputs.rig;
-  if (options.playlist.empty())
-    options.playlist = (rig.kept ? readRig(rig.file, *rig.kept) : readRig(rig.file)).playlist;
+void takePlaylist(CaveOptions& options, SetupOptions& inputs, const Rig& rig) {
+  if (options.playlist.empty()) options.playlist = rig.playlist;
   if (options.playlist.empty()) return;
   const auto playlist = std::make_shared<const Playlist>(readPlaylist(options.playlist));
   for (const PlaylistGame& game : playlist->games) openMeshes(readScenario(game.scenario));
@@ -474,12 +493,23 @@ Before settleSession(CaveOptions& options, SetupOptions& inputs) {
   return {};
 }
 
-/// Settles on rank 0 where the session is written, whether it goes on, and with which games.
+/// Settles which languages there are, and which each viewer reads at first. Those of a session that goes on
+/// keep their numbers.
+void settleLanguages(CaveOptions& options, SetupOptions& inputs, const Rig& rig, const Before& before) {
+  inputs.languages = languagesOf(rig, options.games.get(), options.language);
+  const bool goesOn = !before.facts.program.empty();
+  if (goesOn) inputs.languages = goingOnWith(before.facts.languages, inputs.languages);
+  options.languages = std::make_shared<const SessionLanguages>(inputs.languages);
+}
+
+/// Settles on rank 0 where the session is written, whether it goes on, with which games and languages.
 Before prepare(CaveOptions& options, SetupOptions& inputs) {
   Before before = settleSession(options, inputs);
   settleLink(options, inputs, before.facts.isLinked);
   const bool isCaller = !options.link.empty() && !linkAddressOf(options.link).listens;
-  if (!isCaller) takePlaylist(options, inputs);
+  const Rig rig = readRig(inputs.rig);
+  if (!isCaller) takePlaylist(options, inputs, rig);
+  settleLanguages(options, inputs, rig, before);
   if (isCaller && options.resume) endItsGame(options, before);  // the host's follows
   if (options.lesson && options.study.empty() && !options.scenario.empty() &&
       !readScenario(options.scenario).lesson) {
@@ -514,8 +544,10 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
     if (cluster.rank() > 0) return;
     play = playOf(setup, options, inputs, before);
     play->status = std::move(status);
-    if (play->status) play->status->play(setup.rig, setup.scenario.title, options.session.value_or(""));
+    if (play->status)
+      play->status->play(setup.rig, setup.scenario.title, options.session.value_or(""), setup.languages);
   });
+  shareKeyNames(cluster);
   if (play) announce(setup, cluster, options);
   KeyLock lock(options.pin, isLockedAlways(options));
   while (!playGame(cluster, setup, windows, play.get(), keysOf(options), lock) &&

@@ -43,6 +43,7 @@ std::unique_ptr<SessionFile> openSession(const ReplayOptions& options, SetupOpti
   if (!inputs.live && eye_px[0] > 0 && eye_px[1] > 0) inputs.eye_px = {eye_px[0], eye_px[1]};
   inputs.textSize = session->facts().textSize;
   inputs.people = session->facts().isLinked;
+  inputs.languages = shownIn(session->facts().languages, options.language);
   if (options.rig) inputs.rig = {*options.rig, {}};
   inputs.scenario = {session->facts().scenario, session->facts().scenarioText};
   return session;
@@ -54,6 +55,11 @@ struct Frames {
   std::unique_ptr<FramePacer> pacer;
   std::unique_ptr<FrameSource> source;
 };
+
+/// Returns the viewer of the session who is the first in what is shown.
+std::size_t firstShown(const ReplayOptions& options, const SessionFile& session) {
+  return options.as.empty() ? 0 : session.viewerNamed(options.as);
+}
 
 Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, SessionFile& session) {
   std::optional<RecordedGame> game;
@@ -73,9 +79,8 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
     frames.source =
         std::make_unique<ReplayVisitorSource>(rig, setup.scenario, visitor, std::move(*game), start);
   } else {
-    const std::size_t viewer = options.as.empty() ? 0 : session.viewerNamed(options.as);
     frames.source = std::make_unique<RecordedSource>(session, historiesAtStart(setup), rig.display_hz,
-                                                     options.at_s, viewer);
+                                                     options.at_s, firstShown(options, session));
     frames.pacer = std::make_unique<RecordingPacer>(*frames.clock);
   }
   if (!hasSoftPucks(setup.scenario)) return frames;
@@ -88,11 +93,13 @@ Frames framesOf(const ReplayOptions& options, const SessionSetup& setup, Session
   return frames;
 }
 
-/// Shows the frames of the source, on rank 0.
+/// Shows the frames of the source, on rank 0. Another observer reads the language in which the one in whose
+/// place they are began.
 void showFrames(Cluster& cluster, SessionSetup& setup, OperatorWindows& windows, const ReplayOptions& options,
-                const std::string& scenario, Frames& frames) {
+                const SessionFile& session, Frames& frames) {
   OperatorSettings settings = settingsAtStart(setup.rig, setup.scenario);
-  settings.playing = scenario;
+  settings.languageOf.front() = session.facts().languages.atStart.at(firstShown(options, session));
+  settings.playing = session.facts().scenario.string();
   settings.console = consoleAtStart(setup.desk);
   FrameLeader leader(*frames.source, KeysOf::replay, settings,
                      devicesOf(setup.realTime ? setup.walls.get() : nullptr, KeysOf::replay));
@@ -124,7 +131,7 @@ void replay(Cluster& cluster, const ReplayOptions& options) {
     if (visible) sayKeys(KeysOf::replay);
   });
   if (frames.source) {
-    showFrames(cluster, setup, windows, options, inputs.scenario.file.string(), frames);
+    showFrames(cluster, setup, windows, options, *session, frames);
   } else {
     FramePacer follows;
     runFrames(SessionFrames(cluster, setup, follows, nullptr, KeysOf::replay).context());
@@ -257,6 +264,7 @@ void addReplay(CLI::App& app, int& status) {
                    "Folder for the pictures of every wall and eye: WALL-EYE-FRAME.png")
       ->type_name("DIR");
   addMovie(*command, options->recording.movie);
+  addLanguage(*command, options->language);
   addSky(*command, options);
   command->add_flag("--no-window", options->noWindow,
                     "Draw without showing, as fast as it goes; an X display is still needed");

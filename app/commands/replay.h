@@ -29,6 +29,7 @@ struct ReplayOptions {
   std::optional<double> at_s;                ///< session time at which to start; not with another viewer
   std::optional<SkyPicture> sky;             ///< shown in the place of the walls
   RecordingOptions recording;                ///< images and movie
+  std::string language;                      ///< of the words; empty: as it was recorded
   bool noWindow = false;                     ///< without windows, frames go as fast as possible
   bool silent = false;                       ///< no sounds
   ExtraWindows extra;                        ///< what rank 0 also shows

@@ -13,6 +13,7 @@
 #include "app/console/console_link.h"
 #include "app/files/rig_viewers.h"
 #include "cave/texts/format.h"
+#include "cave/texts/key_names.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -72,10 +73,10 @@ Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& ri
     : window_(graphics, texts::title::kConsole.words(), place),
       keys_(keys),
       waits_(waits),
-      keyMap_(keyMap(keys)),
+      keyMap_(keys),
       scenario_(&scenario),
       walls_(graphics, rig, cluster),
-      effects_(keys),
+      effects_(keys, namesOf(rig.viewers)),
       clocks_(namesOf(rig.viewers)),
       diagram_(scenario, namesOf(rig.viewers)) {
   window_.listen(kText_px, kHeading_px);
@@ -163,7 +164,7 @@ void Console::drawAll(const ConsoleFrame& frame) {
   part("##said", {right, bottom + kGap_px}, {width, kSaid_px});
   drawSaid();
   ImGui::EndChild();
-  drawKeys();
+  drawKeys(frame.settings.languageOf[0]);
   ImGui::End();
 }
 
@@ -203,13 +204,14 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
     tip(texts::console::kNextVisitorTip);
     ImGui::SameLine(0.0F, kGap_px);
   }
-  if (ImGui::Button(texts::console::kKeysButton, size)) opensKeys_ = true;
+  if (ImGui::Button(texts::withKeyInLayout(texts::console::kKeysButton).c_str(), size)) opensKeys_ = true;
   ImGui::SameLine(0.0F, kGap_px);
   const bool blank = frame.settings.walls.blank != 0;
   ImGui::PushStyleColor(ImGuiCol_Button, blank ? kFair : ImVec4{0.42F, 0.20F, 0.19F, 1.0F});
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blank ? kFair : ImVec4{0.55F, 0.25F, 0.23F, 1.0F});
   ImGui::PushStyleColor(ImGuiCol_Text, blank ? ImVec4{0.1F, 0.1F, 0.1F, 1.0F} : kBright);
-  if (ImGui::Button(blank ? texts::console::kLightWalls : texts::console::kBlackWalls, size))
+  const std::string_view black = blank ? texts::console::kLightWalls : texts::console::kBlackWalls;
+  if (ImGui::Button(texts::withKeyInLayout(black).c_str(), size))
     frame.commands.emplace_back(SetWalls{&WallControls::blank, !blank});
   ImGui::PopStyleColor(3);
   tip(texts::console::kBlackTip);
@@ -254,7 +256,7 @@ void Console::drawSaid() const {
   }
 }
 
-void Console::drawKeys() {
+void Console::drawKeys(std::uint8_t language) {
   constexpr const char* kName = "##keys";
   if (opensKeys_) {
     ImGui::OpenPopup(kName);
@@ -268,7 +270,7 @@ void Console::drawKeys() {
   ImGui::PopFont();
   dim(texts::console::kKeysWhere);
   ImGui::Spacing();
-  drawKeyTable(keyMap_);
+  drawKeyTable(keyMap_.in(language));
   if (ImGui::Button(texts::console::kClose) || isKeyPressed(GLFW_KEY_ESCAPE) || isKeyPressed(GLFW_KEY_H) ||
       isKeyPressed(GLFW_KEY_F1)) {
     ImGui::CloseCurrentPopup();

@@ -60,12 +60,12 @@ class Console {
   void drawTabs(const ConsoleFrame& frame);
   void drawDiagram(const ConsoleFrame& frame);
   void drawSaid() const;
-  void drawKeys();
+  void drawKeys(std::uint8_t language);
 
   Window window_;
   KeysOf keys_;
   bool waits_;  ///< where it lies it covers the game: it has a button that hides it
-  std::vector<KeyLine> keyMap_;
+  KeyList keyMap_;
   std::string title_;
   const Scenario* scenario_;
   std::string file_;

@@ -1,5 +1,7 @@
 #include "app/console/console_effects.h"
 #include "cave/texts/format.h"
+#include "cave/texts/key_names.h"
+#include "cave/texts/language_names.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 
@@ -30,13 +32,20 @@ void drawKey(const std::string& key) {
 
 }  // namespace
 
-EffectsPanel::EffectsPanel(KeysOf keys) : keys_(keys) {
+EffectsPanel::EffectsPanel(KeysOf keys, std::vector<std::string> viewers)
+    : keys_(keys), viewers_(std::move(viewers)) {
+  nameKeys();
+}
+
+/// Names the keys of effects and views as the keyboard has them.
+void EffectsPanel::nameKeys() {
+  keysNamed_ = texts::keyNames.changes();
   for (std::size_t i = 0; i < kNamedSwitches.size(); ++i) {
     const std::string name = kNamedSwitches[i].name;
-    switchKeys_[i] = fmt::format("{} {}", keyFor(keys, name).keys, keyFor(keys, "beside: " + name).keys);
+    switchKeys_[i] = fmt::format("{} {}", keyFor(keys_, name).keys, keyFor(keys_, "beside: " + name).keys);
   }
   for (std::size_t i = 0; i < kNamedViews.size(); ++i) {
-    viewKeys_[i] = keyFor(keys, kNamedViews[i].name).keys;
+    viewKeys_[i] = keyFor(keys_, kNamedViews[i].name).keys;
   }
 }
 
@@ -162,11 +171,37 @@ void EffectsPanel::drawWalls(const ConsoleFrame& frame) const {
   }
 }
 
+/// Draws, for each viewer, a choice of the session's languages, if there are several.
+void EffectsPanel::drawLanguages(const ConsoleFrame& frame) const {
+  const SessionLanguages* const languages = frame.settings.languages.get();
+  if (!isLive(keys_) || !languages || languages->all.size() < 2) return;
+  const auto viewers = static_cast<std::size_t>(frame.record.viewerCount);
+  for (std::size_t viewer = 0; viewer < viewers; ++viewer) {
+    if (viewers == 1) {
+      heading(texts::console::kLanguage);
+    } else {
+      heading(fmt::format(texts::console::kLanguageOf, viewers_.at(viewer)).c_str());
+    }
+    if (viewer == 0) drawKey("F9");
+    ImGui::PushID(static_cast<int>(viewer));
+    for (std::size_t i = 0; i < languages->all.size(); ++i) {
+      const auto language = static_cast<std::uint8_t>(i);
+      if (i > 0) ImGui::SameLine();
+      if (ImGui::RadioButton(texts::ownNameOf(languages->all[i]).c_str(),
+                             frame.settings.languageOf[viewer] == language))
+        frame.commands.emplace_back(SetLanguage{viewer, language});
+    }
+    ImGui::PopID();
+  }
+}
+
 void EffectsPanel::draw(const ConsoleFrame& frame, double usual_m_s) {
+  if (keysNamed_ != texts::keyNames.changes()) nameKeys();
   drawSwitches(frame);
   drawLight(frame, usual_m_s);
   drawViews(frame);
   drawWalls(frame);
+  drawLanguages(frame);
 }
 
 }  // namespace carom::console

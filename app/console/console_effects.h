@@ -2,7 +2,9 @@
 // The console's column of display settings: relativistic effects, time views, light, eyes, patterns.
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "app/console/console_parts.h"
 
@@ -10,7 +12,8 @@ namespace carom::console {
 
 class EffectsPanel {
  public:
-  explicit EffectsPanel(KeysOf keys);
+  /// `viewers` are the names of those whose languages can be chosen.
+  EffectsPanel(KeysOf keys, std::vector<std::string> viewers);
 
   /// Returns how wide the column's names and keys are, but at least this.
   float width_px(float least_px) const;
@@ -22,8 +25,12 @@ class EffectsPanel {
   void drawLight(const ConsoleFrame& frame, double usual_m_s);
   void drawViews(const ConsoleFrame& frame) const;
   void drawWalls(const ConsoleFrame& frame) const;
+  void drawLanguages(const ConsoleFrame& frame) const;
+  void nameKeys();
 
   KeysOf keys_;
+  std::vector<std::string> viewers_;
+  std::uint64_t keysNamed_ = 0;                                ///< KeyNames::changes
   std::array<std::string, kNamedSwitches.size()> switchKeys_;  ///< of the left and right half
   std::array<std::string, kNamedViews.size()> viewKeys_;
   PatientSlider light_, eyes_;

@@ -2,6 +2,7 @@
 // Keys that several kinds of files have.
 
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 #include "app/file_keys/file_key.h"
@@ -29,6 +30,16 @@ inline FileKey pose(std::string_view name, std::string_view sentence) {
       name, sentence,
       {inUnit(kUnitOfRig, numbers("translation", 3, {}, "after the rotation", {0.0, 0.0, 0.0})),
        numbers("rotation_deg", 3, kTurn, "about the fixed x, then y, then z axis", {0.0, 0.0, 0.0})});
+}
+
+/// A language is a code or a PO file.
+inline constexpr std::string_view kLanguageName = "^([A-Za-z0-9_-]{1,16}|.+\\.po)$";
+inline FileKey languageKey(std::string_view sentence) {
+  return fitting(kLanguageName, text("language", sentence));
+}
+inline FileKey languagesKey(std::string_view sentence) {
+  constexpr std::size_t kMost = 8;
+  return ofSize(1, kMost, fitting(kLanguageName, texts("languages", sentence)));
 }
 
 /// Where spacetime stands in the room; `ofRig`: its place is in the rig's unit.

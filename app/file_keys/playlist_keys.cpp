@@ -1,5 +1,7 @@
 #include "app/file_keys/playlist_keys.h"
 
+#include "app/file_keys/common_keys.h"
+
 namespace carom {
 
 const FileKey& playlistKeys() {
@@ -9,6 +11,7 @@ const FileKey& playlistKeys() {
   static const FileKey keys = table(
       "playlist", "Carom playlist",
       {text("title", "for people"),
+       languagesKey("in the place of the rig's: those through which a tile on the front wall and key F9 go"),
        required(ofSize(
            1, kMostGames,
            tables(

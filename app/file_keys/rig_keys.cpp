@@ -108,6 +108,7 @@ FileKey viewer() {
                                "unique; in the session file, and in the names of pictures that show "
                                "eyes of several viewers")))});
   keys.push_back(hand());
+  keys.push_back(languageKey("of the words that this person reads; left out: the rig's"));
   return ofSize(
       1, kMostViewers,
       tables("viewer", "the people of a room for several, instead of [head] and [hand]", std::move(keys)));
@@ -353,6 +354,11 @@ const FileKey& rigKeys() {
                 false),
          comfort(),
          spacetimeKey(true),
+         languageKey(
+             "of the words on walls and in windows: a code that carom list tells, such as fr, or a PO file "
+             "beside the rig; left out: the first of languages, else English; --language says otherwise"),
+         languagesKey(
+             "those through which a tile on the front wall and key F9 go; a playlist may have others"),
          text("playlist",
               "the games that may be played in this room: a playlist file, beside the rig, or the name of a "
               "shipped "

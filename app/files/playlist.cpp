@@ -9,6 +9,7 @@
 #include "app/files/config_folder.h"
 #include "app/files/scenario.h"
 #include "app/files/toml_file.h"
+#include "app/files/toml_values.h"
 
 namespace carom {
 namespace {
@@ -75,6 +76,7 @@ Playlist readPlaylist(const fs::path& path) {
   const TomlTable& root = file.root();
   Playlist playlist;
   playlist.title = root.text("title", path.stem().string());
+  playlist.languages = readLanguages(root, path.parent_path());
   const std::vector<TomlTable> tables = root.tables("game");
   if (tables.empty()) root.fault("game", "there is no game here, expected one [[game]] at least");
   for (const TomlTable& table : tables) {

@@ -20,7 +20,8 @@ struct PlaylistGame {
 
 struct Playlist {
   std::string title;
-  std::vector<PlaylistGame> games;  ///< at least one; a session begins with the first
+  std::vector<PlaylistGame> games;       ///< at least one; a session begins with the first
+  std::vector<std::string> languages{};  ///< in the place of the rig's; empty: as the rig says
 };
 
 /// Reads and checks the whole file and every scenario that it names. Throws InputErrors

@@ -56,6 +56,7 @@ struct ViewerSetup {
   HeadSetup head;
   std::optional<HandSetup> hand{};
   std::optional<ForceSetup> force{};  ///< the device that lets the hand feel
+  std::string language{};             ///< as app/file_keys/session_languages.h; empty: the rig's
 };
 
 /// Where one rank of a cluster runs, or several consecutive ones.
@@ -128,7 +129,9 @@ struct Rig {
   SpacetimeSetup spacetime;
   std::optional<LinkSetup> link{};
   ClassSetup classroom{};
-  std::filesystem::path playlist;          ///< of the room's visitors (app/files/playlist.h); empty: none
+  std::string language{};                ///< as app/file_keys/session_languages.h; empty: the first of these
+  std::vector<std::string> languages{};  ///< through which a tile goes; empty: there is none
+  std::filesystem::path playlist;        ///< of the room's visitors (app/files/playlist.h); empty: none
   std::optional<WindowPlacement> console;  ///< the operator's console, if it is requested
 };
 

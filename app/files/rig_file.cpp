@@ -63,6 +63,8 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
   rig.display_hz = root.number("display_hz");
   rig.frameLock = static_cast<FrameLock>(root.choice("frame_lock"));
   rig.playlist = playlistOf(path, root.text("playlist", ""));
+  rig.language = readLanguage(root, path.parent_path());
+  rig.languages = readLanguages(root, path.parent_path());
   if (const auto headset = root.table("headset")) {
     readHeadset(root, *headset, unit_m, rig);
     placed.head = placed.eyeSeparation = headset->place();
@@ -72,7 +74,7 @@ PlacedRig readPlacedRig(const TomlFile& file, const std::filesystem::path& path)
     TrackerSetup& tracker = rig.trackers.emplace_back(readTracker(file, table, unit_m, rig.axes));
     if (tracker.kind == TrackerKind::simulated) tracker.seed = ++simulated;
   }
-  if (!isHeadset(rig)) rig.viewers = readViewers(root, rig.trackers, unit_m);
+  if (!isHeadset(rig)) rig.viewers = readViewers(root, rig.trackers, unit_m, path.parent_path());
   followForceDevices(rig);
   const std::vector<TomlTable> viewers = root.tables("viewer", kMostNamedViewers);
   if (const auto head = viewers.empty() ? root.table("head") : viewers.front()) {

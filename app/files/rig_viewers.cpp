@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/files/rig_trackers.h"
+#include "app/files/toml_values.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall_eyes.h"
 
@@ -28,7 +29,8 @@ void readHandOf(const TomlTable& table, const std::vector<TrackerSetup>& tracker
     table.refuse(key, "is that of a tracker, expected a tracker, too");
 }
 
-ViewerSetup readViewer(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m) {
+ViewerSetup readViewer(const TomlTable& table, const std::vector<TrackerSetup>& trackers, double unit_m,
+                       const std::filesystem::path& folder) {
   ViewerSetup viewer;
   viewer.name = table.text("name");
   const bool plain = std::all_of(viewer.name.begin(), viewer.name.end(), [](char c) {
@@ -38,6 +40,7 @@ ViewerSetup readViewer(const TomlTable& table, const std::vector<TrackerSetup>& 
     table.fault("name", fmt::format("name is '{}', expected letters, digits, - and _ only", viewer.name));
   viewer.head = readHead(table, trackers, unit_m);
   if (const auto hand = table.table("hand")) readHandOf(*hand, trackers, unit_m, viewer);
+  viewer.language = readLanguage(table, folder);
   return viewer;
 }
 
@@ -127,11 +130,11 @@ std::vector<std::string> namesOf(const std::vector<ViewerSetup>& viewers) {
 }
 
 std::vector<ViewerSetup> readViewers(const TomlTable& root, const std::vector<TrackerSetup>& trackers,
-                                     double unit_m) {
+                                     double unit_m, const std::filesystem::path& folder) {
   std::vector<ViewerSetup> viewers;
   const std::vector<TomlTable> tables = root.tables("viewer", kMostNamedViewers);
   for (const TomlTable& table : tables) {
-    ViewerSetup viewer = readViewer(table, trackers, unit_m);
+    ViewerSetup viewer = readViewer(table, trackers, unit_m, folder);
     const auto same = std::find_if(viewers.begin(), viewers.end(),
                                    [&](const ViewerSetup& other) { return other.name == viewer.name; });
     if (same != viewers.end()) {

@@ -2,6 +2,7 @@
 // Reads the viewers of a rig file and the eyes that its walls show, and checks that everybody sees every
 // screen with both eyes.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,9 +19,9 @@ inline constexpr std::size_t kMostNamedViewers = 100;
 /// Returns the viewers' names, in their order.
 std::vector<std::string> namesOf(const std::vector<ViewerSetup>& viewers);
 
-/// Returns the viewers: those of [[viewer]], or the one of [head] and [hand].
+/// Returns the viewers: those of [[viewer]], or the one of [head] and [hand]. `folder` is the rig's.
 std::vector<ViewerSetup> readViewers(const TomlTable& root, const std::vector<TrackerSetup>& trackers,
-                                     double unit_m);
+                                     double unit_m, const std::filesystem::path& folder);
 
 /// Reads whose eyes a wall shows. The wall's stereo mode must have been read.
 void readEyes(const TomlTable& table, const std::vector<ViewerSetup>& viewers, Wall& wall);

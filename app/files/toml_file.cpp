@@ -394,6 +394,8 @@ FilePlace TomlTable::place(std::string_view key) const {
 
 FilePlace TomlTable::place() const { return state_->place; }
 
+bool TomlTable::isKept() const { return state_->document.kept.has_value(); }
+
 void TomlTable::fault(FilePlace where, std::string message) const {
   state_->fault(where, std::move(message));
 }

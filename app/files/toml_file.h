@@ -83,6 +83,9 @@ class TomlTable {
   /// Records a fault if the key exists: a known key that is not allowed here.
   void refuse(std::string_view key, const std::string& why) const;
 
+  /// Returns whether the content is that which the file once had, perhaps on another computer.
+  bool isKept() const;
+
   /// Returns the position of the key's value (of the table if absent), for faults found later.
   FilePlace place(std::string_view key) const;
   FilePlace place() const;

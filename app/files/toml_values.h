@@ -3,13 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "app/file_keys/language_name.h"
 #include "app/files/toml_file.h"
 #include "engine/base/limits.h"
 #include "engine/base/pose.h"
@@ -51,6 +57,41 @@ inline SpacetimeSetup readSpacetime(const TomlTable& table, double unit_m = 1.0)
   if (table.has("past_s")) setup.past_s = table.number("past_s");
   if (table.has("future_s")) setup.future_s = table.number("future_s");
   return setup;
+}
+
+/// Returns the language that a file in `folder` names. A file that is not here, but in a session or on
+/// another node, may name PO files that are not here either.
+inline std::string languageAt(const PlacedText& given, const TomlTable& table,
+                              const std::filesystem::path& folder) {
+  std::string language = languageNamed(given.text, folder);
+  if (table.isKept() && isPoFile(language)) return language;
+  if (std::string refusal = refusalOfLanguage(language); !refusal.empty())
+    table.fault(given.place, std::move(refusal));
+  return language;
+}
+
+/// Reads the key `language` of a table of a file in `folder`; empty if it is left out.
+inline std::string readLanguage(const TomlTable& table, const std::filesystem::path& folder) {
+  const std::string name = table.text("language", "");
+  return name.empty() ? name : languageAt({name, table.place("language")}, table, folder);
+}
+
+/// Reads its key `languages`.
+inline std::vector<std::string> readLanguages(const TomlTable& table, const std::filesystem::path& folder) {
+  const FileKey& declared = table.declared("languages");
+  std::vector<std::string> languages;
+  for (const PlacedText& given : table.texts("languages")) {
+    if (given.text.empty()) continue;  // a fault that is known
+    std::string language = languageAt(given, table, folder);
+    if (std::find(languages.begin(), languages.end(), language) != languages.end())
+      table.fault(given.place, fmt::format("'{}' stands here twice, expected it once", given.text));
+    if (languages.size() == declared.most) {
+      table.fault(given.place, fmt::format("there are more languages, expected at most {}", declared.most));
+      break;
+    }
+    languages.push_back(std::move(language));
+  }
+  return languages;
 }
 
 /// Records a fault if β is not below 1.

@@ -138,9 +138,10 @@ const DeskInput& DeskControls::gather(const DisplayWalls& walls, const WindowInp
   return gather(walls.pointedAt(), walls.isHeld(), input, hasPad ? &pad : nullptr, asks, walls.isTurning());
 }
 
-DeskDevices devicesOf(const DisplayWalls* walls, KeysOf place) {
+DeskDevices devicesOf(const DisplayWalls* walls, KeysOf place, std::optional<KeyboardLayout> keyboard) {
   if (!walls) return {};
-  return [walls, controls = DeskControls(place)](const WindowInput& input, bool asks) mutable {
+  return [walls, controls = DeskControls(place), keyboard](const WindowInput& input, bool asks) mutable {
+    if (keyboard) keyboard->follow(input);
     return controls.gather(*walls, input, asks);
   };
 }

@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "app/input/desk_input.h"
+#include "app/input/keyboard_layout.h"
 #include "app/input/keys.h"
 #include "cave/display/window.h"
 
@@ -76,6 +77,7 @@ class DeskControls {
 using DeskDevices = std::function<DeskInput(const WindowInput& input, bool asks)>;
 
 /// Returns the devices over the windows of these walls, which must outlive them; none if `walls` is null.
-DeskDevices devicesOf(const DisplayWalls* walls, KeysOf place);
+/// With a `keyboard`, its layout names the keys.
+DeskDevices devicesOf(const DisplayWalls* walls, KeysOf place, std::optional<KeyboardLayout> keyboard = {});
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/operator/visitor_choices.h"
+#include "cave/texts/key_names.h"
 #include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
@@ -179,6 +180,8 @@ constexpr std::array kOtherKeys{
     Key{GLFW_KEY_F7, 0, "F7", kInSession, texts::keys::kPlay, choose<Choice::play>},
     Key{GLFW_KEY_F8, 0, "F8", kInSession, texts::keys::kNextVisitor,
         [](const OperatorSettings&, const Pressed&) -> Command { return WelcomeNextVisitor{}; }},
+    Key{GLFW_KEY_F9, 0, "F9", kInSession, texts::keys::kNextLanguage,
+        [](const OperatorSettings& now, const Pressed&) { return nextLanguage(now, 0); }},
     Key{GLFW_KEY_G, 0, "G", kInSession, texts::keys::kFlight,
         [](const OperatorSettings&, const Pressed&) -> Command { return StartTour{}; }},
     Key{GLFW_KEY_T, 0, "T", kEverywhere, texts::keys::kPatterns, showNext},
@@ -212,9 +215,11 @@ const std::vector<Key> kKeys = [] {
   return keys;
 }();
 
+/// Returns the names of a key, or of the keys that a line tells of together, as the keyboard has them.
 std::string labelOf(const Key& key) {
   if (key.label.word) return key.label.word.words();
-  return key.label.signs ? std::string(key.label.signs) : std::string(1, static_cast<char>(key.key));
+  const char letter = static_cast<char>(key.key);
+  return texts::inLayout(key.label.signs ? std::string_view(key.label.signs) : std::string_view(&letter, 1));
 }
 
 bool means(const Key& key, KeysOf place) { return (key.where & (1U << static_cast<unsigned>(place))) != 0; }
@@ -286,16 +291,24 @@ std::vector<KeyLine> keyMap(KeysOf place) {
     add(texts::keys::kLookKeys, texts::keys::kLook);
   }
   if (isLive(place)) {
-    add("W A S D", texts::keys::kSteer);
+    add(texts::inLayout("W A S D"), texts::keys::kSteer);
     add(texts::keys::kSpaceKey, texts::keys::kBrake);
     add(texts::keys::kHomeKey, texts::keys::kHome);
     add(texts::keys::kMouse, texts::keys::kStrike);
     add(texts::keys::kRightButton, texts::keys::kTurn);
     add(texts::keys::kAnswerKeys, texts::keys::kAnswer);
   }
-  add("H", texts::keys::kList);
-  add(texts::keys::kQuitKeys, texts::keys::kQuit);
+  add(texts::inLayout("H"), texts::keys::kList);
+  add(texts::inLayout(texts::keys::kQuitKeys), texts::keys::kQuit);
   return lines;
+}
+
+const std::vector<KeyLine>& KeyList::in(std::uint8_t language) {
+  const Made now{true, language, texts::keyNames.changes()};
+  if (made_ == now) return lines_;
+  made_ = now;
+  lines_ = keyMap(place_);
+  return lines_;
 }
 
 KeyLine keyFor(KeysOf place, std::string_view what) {

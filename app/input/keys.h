@@ -2,6 +2,7 @@
 // The keyboard commands of a session. They work in all of rank 0's windows; ending (app/input/end_question.h)
 // works in any window of any node.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,28 @@ struct KeyLine {
   std::string does;  ///< short description
 };
 
-/// Returns the list of keys in the order of the table.
+/// Returns the list of keys in the order of the table, with their names on this keyboard.
 std::vector<KeyLine> keyMap(KeysOf place);
+
+/// The list of keys, made anew when the language or the names of the keys have changed.
+class KeyList {
+ public:
+  explicit KeyList(KeysOf place) : place_(place) {}
+
+  /// Returns the list for somebody who reads this language of the session.
+  const std::vector<KeyLine>& in(std::uint8_t language);
+
+ private:
+  struct Made {
+    bool isMade = false;
+    std::uint8_t language = 0;
+    std::uint64_t keysNamed = 0;  ///< KeyNames::changes
+    bool operator==(const Made&) const = default;
+  };
+  KeysOf place_;
+  Made made_;
+  std::vector<KeyLine> lines_;
+};
 
 /// Returns the key of a command named as by `nameOf` (app/operator/command.h), such as "aberration",
 /// "board-now" or "walls". Empty if it has no key.

@@ -3,8 +3,8 @@
 //
 // Tables (session times in seconds on the session clock, board coordinates in seconds and metres):
 //   session(key, value)
-//       The session's setup: program, rig and scenario with their texts, light speed, start (UTC); also the
-//       end, once the session was closed properly.
+//       The session's setup: program, rig and scenario with their texts, light speed, start (UTC), languages
+//       (app/journal/language_keys.h); also the end, once the session was closed properly.
 //   game(first_frame, first_event, started_utc, scenario_file, scenario, light_speed_m_s)
 //       The games of the session, one after the other: its frames and events are those from first_frame and
 //       first_event up to the next game's. The first game is also that of the table session.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "app/journal/language_keys.h"
 #include "app/journal/session_games.h"
 
 namespace carom {
@@ -115,6 +116,7 @@ void JournalTables::make(const SessionFacts& facts) {
   for (std::size_t viewer = 0; viewer < facts.viewers.size(); ++viewer)
     put(row, keyOfViewer(viewer), facts.viewers[viewer]);
   if (facts.textSize != 1.0) put(row, kKeyOfTextSize, facts.textSize);
+  putFirstLanguages(database_, facts.languages, facts.viewers);
   for (const std::size_t axis : {0, 1}) {
     if (facts.eyePixels[axis] > 0) put(row, kKeysOfEyePixels[axis], facts.eyePixels[axis]);
   }
@@ -141,6 +143,7 @@ void JournalTables::begin(const SessionFacts& facts) {
   removeEmptyGames(database_);
   if (facts.hasClass) database_.exec(kVoteTable);
   database_.exec(kTaskTable);
+  putLanguages(database_, facts.languages);
   if (facts.isAnotherGame) addGame(database_, facts);
   firstEvent_ = firstEventOfNewest(database_);
   const auto events = static_cast<std::uint64_t>(

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/file_keys/session_languages.h"
+
 namespace carom {
 
 /// The SQLite application id of a journal ("Caro") and the version of its tables: another one whenever a
@@ -33,6 +35,7 @@ struct SessionFacts {
   std::vector<std::string> trackers = {};         ///< the same of its trackers; not read back
   std::array<int, 2> eyePixels{};                 ///< of each eye's picture in a headset; 0: there was none
   double textSize = 1.0;                          ///< of the walls' words, a factor
+  SessionLanguages languages{};                   ///< and which of them the viewers read at first
   bool hasClass = false;                          ///< a class takes part, whose votes are kept; not read back
   bool isLinked = false;                          ///< with another room, which is kept
   bool isAnotherGame = false;  ///< of a file that goes on: a game after those in it; not read back

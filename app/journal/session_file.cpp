@@ -12,6 +12,7 @@
 
 #include "app/files/input_file.h"
 #include "app/journal/frame_rows.h"
+#include "app/journal/language_keys.h"
 #include "engine/base/limits.h"
 #include "engine/base/log.h"
 #include "engine/base/outside_file.h"
@@ -142,6 +143,7 @@ SessionFile::SessionFile(const std::filesystem::path& file, std::optional<std::s
       if (viewer == 0) facts_.viewers.clear();
       facts_.viewers.push_back(name);
     }
+    facts_.languages = languagesIn(database, facts_.viewers);
     if (!quiet && open && alone && fact("ended_utc").empty()) {
       log::warn(fmt::format(
           "session file {0}: the session was not closed, and {1}, which belongs beside it, is not "
@@ -315,6 +317,10 @@ bool SessionFile::next(FrameState& state) try {
   if (!number) return false;
   try {
     tables_->frames->read(state);
+    for (const ViewerState& viewer : state.record.present()) {
+      if (const std::size_t all = facts_.languages.all.size(); viewer.language >= all)
+        throw std::runtime_error(fmt::format("language is {}, expected below {}", viewer.language, all));
+    }
   } catch (const SQLite::Exception&) {
     throw;
   } catch (const std::exception& error) {

@@ -83,6 +83,11 @@ struct Apply {
     return true;
   }
   bool operator()(const ShowBestShot&) { return true; }
+  bool operator()(const SetLanguage& c) {
+    if (!settings.languages || c.viewer >= kMostViewers || c.language >= settings.languages->all.size())
+      return false;
+    return set(settings.languageOf[c.viewer], c.language);
+  }
   bool operator()(const TellPerson&) { return true; }
   bool operator()(const SetLinked&) { return true; }
   bool operator()(const Pause& c) { return set(settings.playback.paused, c.on); }
@@ -108,6 +113,7 @@ struct NameOf {
   std::string operator()(const WelcomeNextVisitor&) { return "visitor"; }
   std::string operator()(const KeepTaskBest&) { return "best of task"; }
   std::string operator()(const ShowBestShot&) { return "best shot"; }
+  std::string operator()(const SetLanguage&) { return "language"; }
   std::string operator()(const TellPerson&) { return "refused"; }
   std::string operator()(const SetLinked&) { return "link"; }
   std::string operator()(const Pause&) { return "playback"; }
@@ -138,6 +144,9 @@ struct ValueOf {
     return fmt::format("{}: {:.3g} J", c.task + 1, c.energy_j);
   }
   std::string operator()(const ShowBestShot&) { return "asked for"; }
+  std::string operator()(const SetLanguage& c) {
+    return settings.languages ? settings.languages->all.at(c.language) : std::string(kEnglish);
+  }
   std::string operator()(const TellPerson& c) { return c.words.english(); }
   std::string operator()(const SetLinked& c) { return onOrOff(c.on); }
   std::string operator()(const Pause& c) { return c.on ? "paused" : "goes on"; }

@@ -90,6 +90,12 @@ struct ShowBestShot {
   bool isEnd = false;  ///< the game ends with it, if there is one
   bool operator==(const ShowBestShot&) const = default;
 };
+/// Lets a viewer read another of the session's languages.
+struct SetLanguage {
+  std::size_t viewer;
+  std::uint8_t language;  ///< an index into SessionLanguages::all
+  bool operator==(const SetLanguage&) const = default;
+};
 /// Tells the person in the room why what they asked for is not done.
 struct TellPerson {
   texts::Saying words;
@@ -116,7 +122,7 @@ struct Seek {
 using Command =
     std::variant<SetSwitch, SetView, SetWalls, ShowOnWalls, ShowKeys, ShowConsole, SetEyeSeparation,
                  SetLightSpeed, ChooseInLesson, AdvanceLesson, StartTour, PlayScenario, WelcomeNextVisitor,
-                 KeepTaskBest, ShowBestShot, TellPerson, SetLinked, Pause, SetRate, Seek>;
+                 KeepTaskBest, ShowBestShot, SetLanguage, TellPerson, SetLinked, Pause, SetRate, Seek>;
 using Commands = std::vector<Command>;
 
 /// Applies the command to the settings. Returns false if nothing changes: the setting has that value already,

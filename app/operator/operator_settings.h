@@ -2,6 +2,7 @@
 // The operator's settings. Rank 0 holds them; what other ranks need travels in the frame record. Only
 // commands (app/operator/command.h) change them; a replay also takes over the recorded ones.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -9,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "app/file_keys/session_languages.h"
 #include "app/files/playlist.h"
 #include "cave/record/frame_state.h"
 #include "cave/record/lesson_words.h"
@@ -49,9 +51,11 @@ struct OperatorSettings {
   /// The least energy with which each task was done in this session, by scenario file and number.
   std::map<std::pair<std::string, std::size_t>, double> bestOfTask_j;
   ConsoleState console = ConsoleState::none;
-  bool keysShown = false;                    ///< the list of keys is drawn over the walls of rank 0
-  std::string playing;                       ///< scenario file being played
-  std::shared_ptr<const Playlist> playlist;  ///< the games that may be played; null: all
+  bool keysShown = false;                             ///< the list of keys is drawn over the walls of rank 0
+  std::string playing;                                ///< scenario file being played
+  std::shared_ptr<const Playlist> playlist;           ///< the games that may be played; null: all
+  std::shared_ptr<const SessionLanguages> languages;  ///< those of the session; null: English alone
+  std::array<std::uint8_t, kMostViewers> languageOf{};  ///< which of them each viewer reads
   std::string lastLesson;  ///< file of the lesson that this visitor saw last; empty: none so far
 
   bool operator==(const OperatorSettings&) const = default;
@@ -60,11 +64,17 @@ struct OperatorSettings {
 /// Largest eye separation in metres; the smallest is 0.
 inline constexpr double kMostEyeSeparation_m = 0.08;
 
-/// Copies the settings for the walls into the record.
+/// Copies the settings for the walls into the record. Without the session's languages, as in a replay, the
+/// record keeps the tile for them that it has.
 inline void putInto(FrameRecord& record, const OperatorSettings& settings) {
   record.switches = settings.switches;
   record.controls = settings.walls;
   record.views = settings.views;
+  for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer)
+    record.viewers[viewer].language = settings.languageOf[viewer];
+  if (!settings.languages) return;
+  const std::size_t onTile = settings.languages->hasTile ? settings.languages->all.size() : 0;
+  record.languagesOnTile = static_cast<std::uint8_t>(onTile);
 }
 
 /// Copies the settings of a recorded frame into `settings`.
@@ -73,6 +83,8 @@ inline void takeFrom(const FrameRecord& record, OperatorSettings& settings) {
   settings.walls = record.controls;
   settings.views = record.views;
   settings.lesson = record.lesson;
+  for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer)
+    settings.languageOf[viewer] = record.viewers[viewer].language;
 }
 
 }  // namespace carom

@@ -68,6 +68,12 @@ Command beginTasks(const OperatorSettings& settings) {
   return PlayScenario{tasks, true};
 }
 
+Command nextLanguage(const OperatorSettings& settings, std::size_t viewer) {
+  const std::size_t count = settings.languages ? settings.languages->all.size() : 1;
+  if (count < 2) return TellPerson{texts::message::kOneLanguage};
+  return SetLanguage{viewer, static_cast<std::uint8_t>((settings.languageOf.at(viewer) + 1U) % count)};
+}
+
 Command nextTask(const OperatorSettings& settings) {
   return PlayScenario{settings.playing, false, {}, settings.task + 1};
 }

@@ -38,6 +38,10 @@ Command commandOf(Choice choice, const OperatorSettings& settings);
 /// Returns the command that begins the shipped tasks, or tells the person that a playlist has none.
 Command beginTasks(const OperatorSettings& settings);
 
+/// Returns the command that lets a viewer read the next of the session's languages, or tells the person that
+/// there is one only.
+Command nextLanguage(const OperatorSettings& settings, std::size_t viewer);
+
 /// Returns the command that goes on to the next task of the game, after the last one to the first.
 Command nextTask(const OperatorSettings& settings);
 

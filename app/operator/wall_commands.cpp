@@ -4,7 +4,8 @@
 
 namespace carom {
 
-std::optional<Command> commandOf(const WallAction& action, const OperatorSettings& settings) {
+std::optional<Command> commandOf(const WallAction& action, const OperatorSettings& settings,
+                                 std::size_t viewer) {
   switch (action.kind) {
     case WallAction::Kind::none:
     case WallAction::Kind::home:
@@ -25,6 +26,8 @@ std::optional<Command> commandOf(const WallAction& action, const OperatorSetting
       return nextTask(settings);
     case WallAction::Kind::spacetime:
       return SetView{&TimeViews::spacetime, settings.views.spacetime == 0};
+    case WallAction::Kind::language:
+      return SetLanguage{viewer, action.number};
     case WallAction::Kind::keys:
       return ShowKeys{!settings.keysShown};
   }

@@ -42,7 +42,9 @@ void FrameLeader::applyCommand(const Command& given, Decision& decision, std::si
                                     : given;
   if (!apply(command, settings_)) return;
   applied_.push_back(command);
-  decision.inputs.push_back({nameOf(command), valueOf(command, settings_), viewer});
+  const auto* const language = std::get_if<SetLanguage>(&command);
+  decision.inputs.push_back(
+      {nameOf(command), valueOf(command, settings_), language ? language->viewer : viewer});
   log::note(toString(command, settings_));
   if (std::holds_alternative<ShowKeys>(command)) sayKeys(keys_);
   if (const auto* play = std::get_if<PlayScenario>(&command))

@@ -36,6 +36,8 @@ OperatorSettings settingsOf(const Rig& rig, const Scenario& scenario, const std:
   settings.switches = beginning.switches;
   settings.views = beginning.views;
   settings.playlist = beginning.playlist;
+  settings.languages = beginning.languages;
+  if (beginning.languages) settings.languageOf = beginning.languages->atStart;
   beginLesson(scenario, beginning.asks, settings);
   if (beginning.lesson && scenario.lesson) settings.lesson.phase = *beginning.lesson;
   explainInMotion(settings);
@@ -51,6 +53,7 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& 
   settings.console = before.console;
   settings.bestOfTask_j = before.bestOfTask_j;
   if (next.isForNextVisitor || next.attracts) return settings;
+  settings.languageOf = before.languageOf;
   settings.eyeSeparation_m = before.eyeSeparation_m;
   settings.walls = before.walls;
   settings.keysShown = before.keysShown;

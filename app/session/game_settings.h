@@ -20,6 +20,7 @@ struct Beginning {
   std::optional<LessonPhase> lesson;         ///< the phase in which a lesson begins; empty: the usual one
   bool asks = true;                          ///< the usual one is the question
   std::shared_ptr<const Playlist> playlist;  ///< null: every game may be played
+  std::shared_ptr<const SessionLanguages> languages{};  ///< null: English alone
 };
 
 /// Returns the settings that rig and scenario give.

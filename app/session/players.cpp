@@ -68,7 +68,7 @@ void Players::act(std::size_t viewer, const HandRules& rules, const Viewers& vie
   auto [hand, pointed, command] = inputs.act(viewer, viewers, own.observer, record.display_s);
   if (pointed && hand.pressed) {
     inputs.letGo(viewer, pointed->action.kind == WallAction::Kind::home);
-    command = commandOf(pointed->action, rules.settings);
+    command = commandOf(pointed->action, rules.settings, viewer);
     decision.isHandled = true;
     hand.held = false;
   }

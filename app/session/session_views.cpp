@@ -17,9 +17,9 @@ void WallsView::draw(const FrameRecord& record, const World& world) {
   }
 }
 
-void WallsView::drawOver(const LatencyView* latency) const {
+void WallsView::drawOver(const LatencyView* latency) {
   if (latency) drawLatency(*latency, walls_.drawingTimes());
-  if (director_.settings().keysShown) drawKeysOver(keys_);
+  if (director_.settings().keysShown) drawKeysOver(keys_.in(director_.settings().languageOf[0]));
   if (forConsole_ && isTilePressed(texts::console::kShow)) forConsole_->emplace_back(ShowConsole{true});
 }
 

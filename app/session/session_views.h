@@ -21,22 +21,18 @@ class WallsView : public View {
   /// here; null: there is none.
   WallsView(DisplayWalls& walls, FrameStatistics& statistics, const Director& director, KeysOf keys,
             Commands* forConsole = nullptr)
-      : walls_(walls),
-        statistics_(statistics),
-        director_(director),
-        keys_(keyMap(keys)),
-        forConsole_(forConsole) {}
+      : walls_(walls), statistics_(statistics), director_(director), keys_(keys), forConsole_(forConsole) {}
 
   void draw(const FrameRecord& record, const World& world) override;
   void swap() override { walls_.swap(); }
 
  private:
-  void drawOver(const LatencyView* latency) const;
+  void drawOver(const LatencyView* latency);
 
   DisplayWalls& walls_;
   FrameStatistics& statistics_;
   const Director& director_;
-  std::vector<KeyLine> keys_;
+  KeyList keys_;
   Commands* forConsole_;
 };
 

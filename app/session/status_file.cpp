@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "app/file_keys/session_languages.h"
+#include "app/files/rig_viewers.h"
 #include "engine/base/log.h"
 #include "engine/base/whole_file.h"
 
@@ -95,12 +97,15 @@ StatusFile::~StatusFile() {
   }
 }
 
-void StatusFile::play(const Rig& rig, const std::string& game, const std::filesystem::path& session) {
+void StatusFile::play(const Rig& rig, const std::string& game, const std::filesystem::path& session,
+                      const std::vector<std::string>& languages) {
   const std::scoped_lock hold(mutex_);
   latest_.rig = rig.title;
   latest_.missing = rig.missing;
   latest_.game = game;
   latest_.session = session.string();
+  latest_.viewers = namesOf(rig.viewers);
+  latest_.languages = languages;
 }
 
 void StatusFile::watch(const FrameSource& source, FrameStatistics& statistics) {
@@ -120,6 +125,8 @@ void StatusFile::shown(const Decision& decision) {
   const bool isFirst = !std::exchange(latest_.hasFrame, true);
   latest_.session_s = record.display_s;
   latest_.walls = record.controls;
+  for (std::size_t viewer = 0; viewer < kMostViewers; ++viewer)
+    latest_.languageOf[viewer] = record.viewers[viewer].language;
   if (statistics_) latest_.nodes = statistics_->numbers(record).nodes;
   if (source_) {
     SourceStatus status = source_->status();
@@ -150,6 +157,8 @@ std::string StatusFile::text(const char* state) {
   if (late >= 0) status["waits_for"] = cluster_.nameOf(late);
   status["session_s"] = moment.session_s;
   status["walls"] = wordsFor(moment.walls);
+  for (auto& [key, language] : languagesByViewer(moment.languages, moment.languageOf, moment.viewers))
+    status[key] = language;
   status["nodes"] = nodesIn(moment.nodes);
   status["trackers"] = trackersOf(moment.trackers);
   if (moment.link) status["link"] = linkOf(*moment.link);

@@ -1,8 +1,10 @@
 #pragma once
 // A file that says once a second how a session goes, for a technician who is not in the room.
 
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -31,9 +33,10 @@ class StatusFile : public FrameListener {
   StatusFile(const StatusFile&) = delete;
   StatusFile& operator=(const StatusFile&) = delete;
 
-  /// Sets the rig and the title of the game that is played from now on, and its session file, which may be
-  /// empty.
-  void play(const Rig& rig, const std::string& game, const std::filesystem::path& session);
+  /// Sets the rig and the title of the game that is played from now on, its session file, which may be empty,
+  /// and the session's languages by their numbers in the records.
+  void play(const Rig& rig, const std::string& game, const std::filesystem::path& session,
+            const std::vector<std::string>& languages);
 
   /// Sets where the numbers come from. Both must outlive the game's frames.
   void watch(const FrameSource& source, FrameStatistics& statistics);
@@ -46,6 +49,8 @@ class StatusFile : public FrameListener {
   struct Moment {
     std::string rig, game, session;
     std::vector<MissingNode> missing;
+    std::vector<std::string> viewers, languages;  ///< names
+    std::array<std::uint8_t, kMostViewers> languageOf{};
     double session_s = 0.0;
     WallControls walls;
     std::vector<LatencyView::Node> nodes;

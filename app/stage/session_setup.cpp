@@ -1,10 +1,12 @@
 #include "app/stage/session_setup.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <sstream>
 #include <stdexcept>
 
 #include "app/files/rig_headset.h"
@@ -19,6 +21,7 @@
 #include "cave/scene/kept_light.h"
 #include "cave/scene/person_model.h"
 #include "cave/scene/table_model.h"
+#include "cave/texts/language_names.h"
 #include "devices/setup/tracker_factory.h"
 #include "engine/base/log.h"
 
@@ -133,6 +136,24 @@ void placeAll(const Cluster& cluster, const SetupOptions& options, SessionSetup&
                             workAreas(present));
 }
 
+/// Returns rank 0's languages on every rank.
+std::vector<std::string> sharedLanguages(const Cluster& cluster, const SessionLanguages& languages) {
+  constexpr char kBetween = '\0';  // stands in no name
+  std::string text = fmt::format("{}", fmt::join(languages.all, std::string(1, kBetween)));
+  cluster.share(text);
+  std::vector<std::string> all;
+  std::istringstream names(text);
+  for (std::string name; std::getline(names, name, kBetween);) all.push_back(name);
+  return all;
+}
+
+/// Returns the languages' own names.
+std::vector<std::string> ownNamesOf(const std::vector<std::string>& languages) {
+  std::vector<std::string> names;
+  for (const std::string& language : languages) names.push_back(texts::ownNameOf(language));
+  return names;
+}
+
 }  // namespace
 
 SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
@@ -152,6 +173,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   std::string people = options.people ? "people" : "";
   cluster.share(people);
   setup.people = !people.empty();
+  setup.languages = sharedLanguages(cluster, options.languages);
   adaptGame(setup);
   onAllRanks(cluster, [&] {
     if (options.live && cluster.rank() == 0) openTraces(setup.rig);
@@ -172,6 +194,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
         *setup.graphics, setup.scene, setup.scenario.billiard.lightSpeed_m_s,
         cluster.wallsOf(setup.rig.walls), setup.rig.oneWindow, !options.noWindow);
     setup.walls->setRoom(roomGeometryOf(setup.rig));
+    setup.walls->overlays().setLanguages(ownNamesOf(setup.languages));
     setTexts(setup.scenario, setup.rig, setup.mayLeave, cluster, *setup.walls);
     if (options.extra.outside && cluster.rank() == 0) {
       setup.outside = std::make_unique<SpectatorView>(*setup.graphics, roomGeometryOf(setup.rig), setup.scene,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/file_keys/session_languages.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/stage/desk_windows.h"
@@ -40,7 +41,8 @@ struct SetupOptions {
   bool mayLeave = true;             ///< the walls have buttons for other games; in a study they do not
   double textSize = 1.0;            ///< of the walls' words, a factor
   bool people = false;              ///< of another room are shown; rank 0 decides
-  bool byMouse = false;  ///< mouse and keys move heads and wands in the place of the rig's trackers
+  bool byMouse = false;          ///< mouse and keys move heads and wands in the place of the rig's trackers
+  SessionLanguages languages{};  ///< rank 0 decides
 };
 
 struct SessionSetup {
@@ -48,6 +50,7 @@ struct SessionSetup {
   Scenario scenario;
   bool hideRight = false, mayLeave = true;  ///< as in the options, for later games, too
   bool people = false;                      ///< likewise
+  std::vector<std::string> languages;       ///< by their numbers in the records
   std::unique_ptr<Graphics> graphics;
   DeskWindows desk;  ///< rank 0 only: where the windows besides the walls' open
   /// The names under which the places of the walls' windows are remembered; empty in simulated time.

@@ -25,6 +25,7 @@
 #include "app/files/toml_file.h"
 #include "app/files/traces.h"
 #include "app/nodes/mpirun_line.h"
+#include "app/operator/room_languages.h"
 #include "app/room_formats/room_kind.h"
 #include "app/room_import/rig_room.h"
 #include "app/room_import/room_check.h"
@@ -132,7 +133,7 @@ int tellForeignRoom(const std::filesystem::path& path, const std::string& wanted
 
 /// Prints how a viewer is tracked and, where there are several, what this one sees of each screen.
 void tellViewer(const Rig& rig, std::size_t viewer) {
-  const auto& [name, head, hand, force] = rig.viewers[viewer];
+  const auto& [name, head, hand, force, language] = rig.viewers[viewer];
   const bool several = rig.viewers.size() > 1;
   const std::string whose = several ? name + "'s " : "";
   fmt::print("{}head: tracker {}, sensor {}, eyes {:.1f} mm apart\n", whose,
@@ -170,6 +171,17 @@ void warnOfHosts(const std::filesystem::path& path, const Rig& rig) {
   }
 }
 
+/// Prints in which languages a room has its words, if it names any.
+void tellLanguages(const Rig& rig) {
+  const SessionLanguages languages = languagesOf(rig, nullptr, "");
+  if (languages == SessionLanguages{}) return;
+  fmt::print("languages: {}{}\n", fmt::join(languages.all, ", "),
+             languages.hasTile ? "; the front wall has a tile for the next one" : "");
+  if (rig.viewers.size() < 2) return;
+  for (std::size_t viewer = 0; viewer < rig.viewers.size(); ++viewer)
+    fmt::print("{} begins in {}\n", rig.viewers[viewer].name, languages.firstOf(viewer));
+}
+
 /// Returns whether the room has an error.
 bool tellRig(const std::filesystem::path& path, const FileOpeners& open) {
   constexpr std::uintmax_t kMostOfTrace = 16U << 20U;
@@ -204,6 +216,7 @@ bool tellRig(const std::filesystem::path& path, const FileOpeners& open) {
     fmt::print("tracker {}: {}{}\n", tracker.name, toString(tracker.kind), from);
   }
   for (std::size_t viewer = 0; viewer < rig.viewers.size(); ++viewer) tellViewer(rig, viewer);
+  tellLanguages(rig);
   tellHead(room);
   return failed;
 }
@@ -341,6 +354,7 @@ void tellScenario(const std::filesystem::path& path, const FileOpeners& open) {
 void tellPlaylist(const std::filesystem::path& path, const FileOpeners& open) {
   const Playlist playlist = openPlaylist(path, open);
   fmt::print("{}: a playlist of {}\n", playlist.title, counted(playlist.games.size(), "game"));
+  if (!playlist.languages.empty()) fmt::print("languages: {}\n", fmt::join(playlist.languages, ", "));
   for (const PlaylistGame& game : playlist.games) {
     fmt::print("{}: {}{}{}{}\n", game.scenario.stem().string(), game.title, game.isLesson ? ", a lesson" : "",
                game.for_s ? fmt::format(", for {:.6g} s", *game.for_s) : "",

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "app/file_keys/language_name.h"
 #include "app/files/config_folder.h"
 
 namespace carom {
@@ -60,6 +61,21 @@ CLI::Validator numberOf(const std::vector<std::pair<std::string, int>>& names) {
         return fmt::format("'{}' is wrong, expected one of {}", text, known);
       },
       "");
+}
+
+void addLanguage(CLI::App& command, std::string& language) {
+  command
+      .add_option(
+          "--language", language,
+          "Language of the words on walls and in windows: a code that carom list tells, such as fr, or "
+          "a PO file. Default: as the session or the rig says, else English")
+      ->type_name("CODE|FILE.po")
+      ->transform(CLI::Validator(
+          [](std::string& text) {
+            text = languageNamed(text, {});
+            return refusalOfLanguage(text);
+          },
+          ""));
 }
 
 void addJson(CLI::App& command, std::optional<std::filesystem::path>& json) {

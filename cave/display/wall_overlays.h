@@ -3,6 +3,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cave/display/wall_pictures.h"
 #include "cave/overlay/choice_tiles.h"
@@ -29,6 +31,8 @@ class WallOverlays {
   void setLesson(const LessonWords& words, const LessonPlan& plan, bool mayLeave = true) {
     for (HudPanel& panel : words_) panel.setLesson(words, plan, mayLeave);
   }
+  /// Sets the names of the session's languages, by their numbers in the records.
+  void setLanguages(const std::vector<std::string>& names) { choices_.setLanguages(names); }
   /// Sets what the game offers (cave/overlay/choice_tiles.h, cave/overlay/home_arrow.h).
   void setOffers(const GameOffers& offers) { offers_ = offers; }
 

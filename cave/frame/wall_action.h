@@ -20,6 +20,7 @@ struct WallAction {
     spacetime,  ///< as I
     tasks,      ///< begins the tasks
     nextTask,   ///< goes on to the next one
+    language,   ///< goes on to the session's language that `number` counts, from 0
   };
   Kind kind = Kind::none;
   std::uint8_t number = 0;

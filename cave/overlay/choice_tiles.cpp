@@ -7,6 +7,7 @@
 
 #include "cave/overlay/hud_line.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/key_names.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -19,7 +20,7 @@ constexpr glm::vec3 kOnTile(240.0F), kOnPointed(15.0F);
 bool isFlat(const glm::ivec2& tile_px) { return tile_px.y < kFlat * tile_px.x; }
 
 /// Returns the name of an action and its key.
-std::pair<std::string_view, std::string_view> wordsOf(const WallAction& action) {
+std::pair<std::string_view, std::string_view> textsOf(const WallAction& action) {
   switch (action.kind) {
     case WallAction::Kind::choice:
       return {texts::tile::kChoices.at(action.number), texts::tile::kChoiceKeys.at(action.number)};
@@ -44,10 +45,19 @@ std::pair<std::string_view, std::string_view> wordsOf(const WallAction& action) 
 
 }  // namespace
 
+/// Returns the name of a tile, and its key as the keyboard has it.
+std::pair<std::string, std::string> ChoiceTiles::wordsOf(const WallAction& action) const {
+  if (action.kind == WallAction::Kind::language)
+    return {action.number < languages_.size() ? languages_[action.number] : std::string(), "F9"};
+  const auto [name, key] = textsOf(action);
+  return {name, texts::inLayout(key)};
+}
+
 /// Returns the label of a tile of this size, rendered when it is first needed.
-const ChoiceTiles::Label& ChoiceTiles::labelOf(const WallAction& action, const glm::ivec2& tile_px) {
+const ChoiceTiles::Label& ChoiceTiles::labelOf(const Painted& tile) {
+  const auto& [action, unused, tile_px, language] = tile;
   const auto known = std::find_if(labels_.begin(), labels_.end(), [&](const Label& label) {
-    return label.action == action && label.tile_px == tile_px;
+    return label.action == tile.action && label.tile_px == tile.size_px && label.language == tile.language;
   });
   if (known != labels_.end()) return *known;
   constexpr std::size_t kMostLabels = 32;  // of a window whose size has changed many times
@@ -56,7 +66,7 @@ const ChoiceTiles::Label& ChoiceTiles::labelOf(const WallAction& action, const g
   const auto [name, key] = wordsOf(action);
   int name_px = std::max(1, (flat ? 65 : 50) * tile_px.y / 100),
       key_px = std::max(1, (flat ? 40 : 25) * tile_px.y / 100);
-  Label label{action, tile_px, ink(name, name_px), ink(key, key_px)};
+  Label label{action, language, tile_px, ink(name, name_px), ink(key, key_px)};
   const int most_px = 92 * tile_px.x / 100;
   const int least_px = std::min(leastLetter_px(), name_px), name_wide_px = label.name.size_px.x;
   int wide_px = name_wide_px + (flat ? tile_px.y / 3 + label.key.size_px.x : 0);
@@ -74,12 +84,12 @@ const ChoiceTiles::Label& ChoiceTiles::labelOf(const WallAction& action, const g
 }
 
 void ChoiceTiles::paintTile(std::size_t tile, const glm::ivec2& from_px) {
-  const auto& [action, unused, tile_px] = painted_[tile];
+  const auto& [action, unused, tile_px, language] = painted_[tile];
   const bool isPointed = action == pointed_;
   panel_.fill(from_px, tile_px, isPointed ? kPointed : kTile);
   const auto centred = [&](int width_px) { return from_px.x + (tile_px.x - width_px) / 2; };
   const glm::vec3 colour = isPointed ? kOnPointed : kOnTile;
-  const Label& label = labelOf(action, tile_px);
+  const Label& label = labelOf(painted_[tile]);
   if (isFlat(tile_px)) {  // the key stands behind the name
     const int name_px = label.name.size_px.x + tile_px.y / 3;
     const int begin_px = centred(name_px + label.key.size_px.x), foot_px = from_px.y + tile_px.y * 27 / 100;
@@ -111,8 +121,13 @@ void ChoiceTiles::draw(const Wall& wall, const SeenFrame& seen, const OfferedTil
   if (tiles_.empty()) return;
   const glm::dvec2 pxPerM = glm::dvec2(picture.size_px()) / sizeOf_m(wall);
   for (const WallButton& tile : tiles_)
-    wanted_.push_back(
-        {tile.action, glm::ivec2(tile.place.from_m * pxPerM), glm::ivec2(tile.place.size_m * pxPerM)});
+    wanted_.push_back({tile.action, glm::ivec2(tile.place.from_m * pxPerM),
+                       glm::ivec2(tile.place.size_m * pxPerM), seen.self.language});
+  if (const std::uint64_t named = texts::keyNames.changes(); keysNamed_ != named) {
+    keysNamed_ = named;
+    labels_.clear();
+    painted_.clear();
+  }
   pointed_ = pointedByHand(wall, tiles_, seen);
   if (wanted_ != painted_ || pointed_ != paintedPointed_) {
     painted_ = wanted_;

@@ -15,6 +15,7 @@
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/format.h"
+#include "cave/texts/key_names.h"
 #include "cave/texts/texts.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -155,7 +156,7 @@ void addTwins(const SeenFrame& seen, Viewers viewers, Lines& lines) {
 }
 
 HudChip chip(Kind kind, std::string_view words, std::uint8_t number = 0) {
-  return {{kind, number}, std::string(words)};
+  return {{kind, number}, texts::withKeyInLayout(words)};
 }
 
 /// Adds what to press, and at the right the way out.
@@ -343,7 +344,7 @@ void HudText::setLesson(const LessonWords& words, const LessonPlan& plan, bool m
 bool HudText::follow(const SeenFrame& seen) {
   const auto tenths_s = static_cast<std::int64_t>(std::floor(10.0 * seen.record.display_s));
   if (tenths_s == tenths_s_ && seen.record.views == views_ && seen.record.controls == controls_ &&
-      seen.record.lesson == lessonState_ && seen.self.notice == notice_) {
+      seen.record.lesson == lessonState_ && seen.self.notice == notice_ && seen.self.language == language_) {
     return false;
   }
   tenths_s_ = tenths_s;
@@ -351,6 +352,7 @@ bool HudText::follow(const SeenFrame& seen) {
   controls_ = seen.record.controls;
   lessonState_ = seen.record.lesson;
   notice_ = seen.self.notice;
+  language_ = seen.self.language;
   isBand_ = seen.record.lesson.phase != LessonPhase::none;
   describe(seen, lesson_, plan_, viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_);
   return true;

@@ -48,6 +48,7 @@ class HudText {
   WallControls controls_;  ///< the controls that were last described
   LessonState lessonState_;
   Notice notice_;
+  std::uint8_t language_ = 0;
   LessonWords lesson_;
   LessonPlan plan_;
   std::vector<RoomViewer> viewers_;

@@ -30,6 +30,24 @@ Tile below(const Tile& tile, const Wall& wall) {
   return {{tile.from_m.x, tile.from_m.y - kGap * sizeOf_m(wall).x - high_m}, {width_m, high_m}};
 }
 
+/// Returns the place of the tile for the next language: at the end of the second row below the choices, or
+/// beside those at the wall's foot, below a lesson's band.
+Tile languageTile(const Wall& wall, bool atFoot) {
+  Tile last = tilesOn(wall, atFoot).back();
+  if (!atFoot) return below(below(last, wall), wall);
+  last.from_m.x += last.size_m.x + kGap * sizeOf_m(wall).x;
+  return last;
+}
+
+/// Appends the tile for the viewer's next language.
+void addLanguage(const Wall& wall, const SeenFrame& seen, std::vector<WallButton>& buttons) {
+  const std::uint8_t languages = seen.record.languagesOnTile;
+  if (languages < 2 || seen.self.hand.pulling) return;
+  const auto next = static_cast<std::uint8_t>((seen.self.language + 1) % languages);
+  const bool isLesson = seen.record.lesson.phase != LessonPhase::none;
+  buttons.push_back({{WallAction::Kind::language, next}, languageTile(wall, isLesson)});
+}
+
 }  // namespace
 
 std::array<Tile, kChoices> tilesOn(const Wall& wall, bool atFoot) {
@@ -53,6 +71,7 @@ OfferedTiles offeredIn(const RoomGeometry& room, const SeenFrame& seen, const Ga
 void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offered,
               std::vector<WallButton>& buttons) {
   using Kind = WallAction::Kind;
+  addLanguage(wall, seen, buttons);
   const bool isLesson = seen.record.lesson.phase != LessonPhase::none;
   if (offered.choices && offersChoicesNow(seen)) {
     const std::array<Tile, kChoices> tiles = tilesOn(wall, isLesson);

@@ -49,6 +49,9 @@ struct Score {
   bool operator==(const Score&) const = default;
 };
 
+/// The most languages of a session.
+inline constexpr std::size_t kMostLanguages = 16;
+
 /// What a frame holds of one viewer.
 struct ViewerState {
   ObserverView observer;
@@ -59,7 +62,8 @@ struct ViewerState {
   Vec3 placeInRoom_m{0.0};  ///< of the head, as its clock took it (engine/spacetime/observers.h)
   double lapse = 1.0;       ///< the rate of a clock there, relative to the room's time
   Score score;
-  std::uint8_t hasTurn = 0;  ///< 1: of several who play, it is this one's turn
+  std::uint8_t hasTurn = 0;   ///< 1: of several who play, it is this one's turn
+  std::uint8_t language = 0;  ///< which of the session's languages this one reads
 };
 
 struct FrameRecord {
@@ -99,6 +103,8 @@ struct FrameRecord {
   ClassView classroom;  ///< of phones; the session file has its votes, and not this
   HeadsetState headset;
   double fade = 0.0;  ///< how black the walls are: 1 is wholly, as when a game begins
+  /// Through how many of the session's languages a tile on the front wall goes; 0: there is no such tile.
+  std::uint8_t languagesOnTile = 0;
 
   /// Returns the place in `viewers` of a person in the order of the room.
   std::size_t ofRoom(std::size_t person) const {

@@ -137,6 +137,7 @@ void visit(Viewer& viewer, Fields& fields) {
   fields("notice_said", viewer.notice.said, kText);
   visit(viewer.score, fields);
   fields("has_turn", viewer.hasTurn, kFlag.in(Stored::ofOthers));
+  fields("language", viewer.language, FieldKind{0.0, kMostLanguages - 1});
 }
 
 template <PartOf<WallControls> Walls, typename Fields>
@@ -237,6 +238,7 @@ void visit(Record& record, Fields& fields) {
   visit(record.lesson, fields);
   visit(record.classroom, fields);
   fields("fade", record.fade, FieldKind{0.0, 1.0});
+  fields("languages_on_tile", record.languagesOnTile, FieldKind{0.0, kMostLanguages});
   fields.section(FrameSection::places);
   visit(record.drive, fields);
   fields.section(FrameSection::knots);

@@ -48,6 +48,7 @@ OWN_WORDS = {
     "app/classroom/study_desk.cpp": "the path of a page",
     "app/classroom/phone_message.cpp": "keys of the messages of pages",
     "app/hand/hand_input.h": "names of devices, by which the program tells them apart",
+    "app/input/keyboard_layout.cpp": "keys of a US keyboard",
     "app/operator/command.cpp": "names and values of commands, as session files and their log hold them",
     "app/operator/visitor_choices.h": "names of shipped games",
     "app/report/chart_file.cpp": "SVG",

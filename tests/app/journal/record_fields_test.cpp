@@ -107,6 +107,7 @@ FrameState frameForTwo() {
 SessionFacts factsForTwo() {
   SessionFacts facts = kFacts;
   facts.viewers = {"anna", "ben", "cleo"};  // one more, where the number of viewers is changed
+  facts.languages.all = {"en", "fr"};
   return facts;
 }
 

@@ -77,6 +77,27 @@ TEST(Command, SwitchesOfTheHalvesAreApart) {
   EXPECT_EQ(settings.views.beside.aberration, 1);
 }
 
+TEST(Command, EachViewerReadsALanguageOfTheSession) {
+  OperatorSettings settings;
+  EXPECT_FALSE(apply(SetLanguage{0, 0}, settings)) << "there is English alone";
+  const SessionLanguages languages{{"fr", "/words/mine.po"}, {}, true};
+  settings.languages = std::make_shared<const SessionLanguages>(languages);
+  EXPECT_FALSE(apply(SetLanguage{0, 0}, settings)) << "it is so already";
+  EXPECT_FALSE(apply(SetLanguage{0, 2}, settings)) << "there is no such language";
+  EXPECT_FALSE(apply(SetLanguage{kMostViewers, 1}, settings)) << "there is no such viewer";
+  EXPECT_TRUE(apply(SetLanguage{1, 1}, settings));
+  EXPECT_EQ(settings.languageOf, (std::array<std::uint8_t, kMostViewers>{0, 1, 0, 0}));
+  EXPECT_EQ(toString(SetLanguage{1, 1}, settings), "language: /words/mine.po");
+  FrameRecord record;
+  putInto(record, settings);
+  EXPECT_EQ(record.viewers[0].language, 0);
+  EXPECT_EQ(record.viewers[1].language, 1);
+  EXPECT_EQ(record.languagesOnTile, 2);
+  OperatorSettings taken;
+  takeFrom(record, taken);
+  EXPECT_EQ(taken.languageOf, settings.languageOf);
+}
+
 TEST(Command, OrdersOfOneMomentLeaveTheSettings) {
   for (const Command& order :
        {Command(StartTour{}), Command(PlayScenario{"game.toml"}), Command(Seek{3.0})}) {

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <string>
 
 #include "app/files/scenario.h"
 #include "app/operator/wall_commands.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -80,6 +82,17 @@ TEST(VisitorChoices, ShowMeLastsAboutAMinute) {
   EXPECT_GE(last.from_s, 55.0);
   EXPECT_LE(last.from_s, 70.0);
   EXPECT_TRUE(show.tourAtOnce);
+}
+
+TEST(VisitorChoices, TheNextLanguageComesAfterTheLastOneAgain) {
+  OperatorSettings settings;
+  EXPECT_EQ(nextLanguage(settings, 0), Command(TellPerson{texts::message::kOneLanguage}));
+  settings.languages = std::make_shared<const SessionLanguages>(SessionLanguages{{"fr"}, {}});
+  EXPECT_EQ(nextLanguage(settings, 0), Command(TellPerson{texts::message::kOneLanguage}));
+  settings.languages = std::make_shared<const SessionLanguages>(SessionLanguages{{"fr", "en", "ja"}, {1}});
+  settings.languageOf = {1, 2};
+  EXPECT_EQ(nextLanguage(settings, 0), Command(SetLanguage{0, 2}));
+  EXPECT_EQ(nextLanguage(settings, 1), Command(SetLanguage{1, 0}));
 }
 
 }  // namespace

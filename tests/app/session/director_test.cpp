@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include "app/operator/wall_commands.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -246,6 +247,29 @@ TEST(FollowingDirector, DecidesNothing) {
   EXPECT_EQ(decision.frame.record.number, 7u);
   EXPECT_TRUE(decision.inputs.empty());
   EXPECT_EQ(follower.settings(), OperatorSettings{});
+}
+
+TEST_F(DirectorTest, F9GoesThroughTheLanguagesOfTheFirstViewerAndAHandThroughItsOwn) {
+  EXPECT_EQ(frame(pressing(GLFW_KEY_F9)).viewers[0].language, 0);
+  EXPECT_EQ(inputs(), Words{std::string("refused: ") + texts::message::kOneLanguage});
+  OperatorSettings settings;
+  settings.languages = std::make_shared<const SessionLanguages>(SessionLanguages{{"fr", "ja"}, {}, true});
+  leader_.begin(settings);
+  EXPECT_EQ(frame().languagesOnTile, 2);
+  EXPECT_EQ(frame(pressing(GLFW_KEY_F9)).viewers[0].language, 1);
+  EXPECT_EQ(inputs(), Words{"language: ja"});
+  EXPECT_EQ(decision_.inputs.at(0).viewer, 0U);
+  EXPECT_EQ(frame().viewers[0].language, 1) << "it stays so";
+  EXPECT_EQ(frame(pressing(GLFW_KEY_F9)).viewers[0].language, 0) << "after the last one comes the first";
+  source_.byHand = *commandOf(WallAction{WallAction::Kind::language, 1}, leader_.settings(), 1);
+  frame();
+  const FrameRecord& record = frame();
+  EXPECT_EQ(record.viewers[0].language, 0);
+  EXPECT_EQ(record.viewers[1].language, 1);
+  EXPECT_EQ(decision_.inputs.at(0).viewer, 1U);
+  leader_.inbox().emplace_back(SetLanguage{2, 1});  // of the console, for anyone
+  EXPECT_EQ(frame().viewers[2].language, 1);
+  EXPECT_EQ(decision_.inputs.at(0).viewer, 2U);
 }
 
 }  // namespace

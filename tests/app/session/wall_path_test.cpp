@@ -19,6 +19,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/files/starting_histories.h"
+#include "app/operator/room_languages.h"
 #include "app/operator/visitor_choices.h"
 #include "app/session/director.h"
 #include "app/session/game_settings.h"
@@ -33,6 +34,12 @@ namespace {
 
 using Kind = WallAction::Kind;
 
+Beginning beginningIn(const Rig& rig) {
+  Beginning beginning;
+  beginning.languages = std::make_shared<const SessionLanguages>(languagesOf(rig, nullptr, ""));
+  return beginning;
+}
+
 /// A session of a desk's rig, without its pictures.
 class Session {
  public:
@@ -42,7 +49,8 @@ class Session {
         scenario_(readScenario(fileOfGame(kWelcome))),
         world_{startingHistories(scenario_), {}},
         source_(rig_, scenario_, world_, start),
-        leader_(source_, KeysOf::session, settingsOf(rig_, scenario_, fileOfGame(kWelcome), {}),
+        beginning_(beginningIn(rig_)),
+        leader_(source_, KeysOf::session, settingsOf(rig_, scenario_, fileOfGame(kWelcome), beginning_),
                 [this](const WindowInput&, bool) { return desk_; }) {
     text_.setWall(wall(), {});
     frame();
@@ -68,7 +76,7 @@ class Session {
     scenario_ = readScenario(next.file);
     world_ = {startingHistories(scenario_), {}};
     source_.playAnew();
-    leader_.begin(settingsOfNext(leader_.settings(), next, rig_, scenario_, {}));
+    leader_.begin(settingsOfNext(leader_.settings(), next, rig_, scenario_, beginning_));
     leader_.decide(pacer_.next(), {}, decision_);
     applyFrame(decision_.frame, world_);
   }
@@ -87,6 +95,8 @@ class Session {
     return {};
   }
 
+  void welcome() { leader_.inbox().emplace_back(WelcomeNextVisitor{}); }
+
   bool await(const std::function<bool()>& holds, int frames = 200) {
     for (int i = 0; i < frames && !holds(); ++i) frame();
     return holds();
@@ -101,6 +111,7 @@ class Session {
   World world_;
   LiveSource source_;
   DeskInput desk_;
+  Beginning beginning_;
   FrameLeader leader_;
   Pacer pacer_{*clock_, 60.0, 0.0, false, 0};
   HudText text_;
@@ -313,6 +324,32 @@ TEST(WallPath, TheWayHomeIsAButton) {
   EXPECT_EQ(session.record().drive.mode, DriveMode::home);
   session.frame();
   EXPECT_FALSE(session.placeOf({Kind::home})) << "it is under way";
+}
+
+// From tile to tile, also while a lesson asks; the next visitor begins with the first.
+TEST(WallPath, ATileGoesThroughTheLanguages) {
+  Rig rig = playRig();
+  EXPECT_FALSE(deskSession().placeOf({Kind::language, 1})) << "there is one language";
+  rig.languages = {"fr", "en"};
+  Session session(rig, std::make_unique<SimulatedClock>(), {});
+  const test::LogLines log;
+  const auto press = [](Session& here, const Vec3& place_m) {
+    here.frame(mouseAt(place_m, false));
+    here.frame(mouseAt(place_m, true));
+    here.frame();
+  };
+  const auto language = [&] { return session.record().viewers[0].language; };
+  PRESSED((WallAction{Kind::language, 1}), language() == 1);
+  EXPECT_FALSE(session.placeOf({Kind::language, 1})) << "it leads to the other one now";
+  PRESSED(actionOf(Choice::lessons), session.playing() == "comes-and-goes" && session.record().fade == 0.0);
+  EXPECT_EQ(session.settings().lesson.phase, LessonPhase::asks);
+  EXPECT_EQ(language(), 1) << "it stays so in another game";
+  PRESSED((WallAction{Kind::language, 0}), language() == 0);
+  PRESSED((WallAction{Kind::language, 1}), language() == 1);
+  EXPECT_EQ(session.settings().lesson.phase, LessonPhase::asks) << "the question still stands";
+  session.welcome();
+  ASSERT_TRUE(session.await([&] { return session.playing() == "welcome" && session.record().fade == 0.0; }));
+  EXPECT_EQ(language(), 0);
 }
 
 }  // namespace

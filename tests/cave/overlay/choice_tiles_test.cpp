@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -160,6 +161,49 @@ TEST(ChoiceTiles, WhatKeysDoIsOfferedWhereItDoesSomething) {
   EXPECT_EQ(kindsOf(record, {true, true, true}), three);
   record.lesson.phase = LessonPhase::shows;
   EXPECT_EQ(kindsOf(record, {true, true, true}), Kinds{});
+}
+
+TEST(ChoiceTiles, TheNextLanguageHasATileWhereThereAreSeveralAlsoInALesson) {
+  using Kind = WallAction::Kind;
+  const auto hasLanguage = [](const std::vector<Kind>& kinds) {
+    return std::count(kinds.begin(), kinds.end(), Kind::language) == 1;
+  };
+  FrameRecord record;
+  record.viewers[0].score = {1, 3};
+  record.views.frozen = 1;
+  const OfferedTiles all{.choices = true, .keys = true, .isAstray = true, .hasTasks = true};
+  const std::vector<Kind> without = kindsOf(record, all);
+  EXPECT_FALSE(hasLanguage(without));
+  record.languagesOnTile = 1;
+  EXPECT_EQ(kindsOf(record, all), without) << "one language is no choice";
+  record.languagesOnTile = 2;
+  EXPECT_TRUE(hasLanguage(kindsOf(record, all)));
+  record.views.frozen = 0;
+  EXPECT_TRUE(hasLanguage(kindsOf(record, all)));
+  EXPECT_EQ(kindsOf(record, {}), (std::vector<Kind>{Kind::language, Kind::goOn})) << "a game without choices";
+  for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
+    record.lesson.phase = phase;
+    EXPECT_TRUE(hasLanguage(kindsOf(record, all)));
+  }
+  record.viewers[0].hand.pulling = 1;
+  EXPECT_FALSE(hasLanguage(kindsOf(record, all))) << "a stroke is drawn back";
+}
+
+TEST(ChoiceTiles, ATileOfALanguageGoesRoundForEachViewer) {
+  Wall wall;
+  wall.lowerLeft_m = {-1.0, 0.0, -1.0};
+  wall.lowerRight_m = {1.0, 0.0, -1.0};
+  wall.upperLeft_m = {-1.0, 2.0, -1.0};
+  FrameRecord record;
+  record.viewerCount = 2;
+  record.languagesOnTile = 3;
+  record.viewers[1].language = 2;
+  for (const auto& [viewer, next] : {std::pair<std::size_t, int>{0, 1}, {1, 0}}) {
+    std::vector<WallButton> tiles;
+    addTiles(wall, SeenFrame(record, viewer), {}, tiles);
+    ASSERT_EQ(tiles.size(), 1U);
+    EXPECT_EQ(tiles[0].action.number, next);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+// In which languages games begin.
+#include "app/session/game_settings.h"
+
+#include <gtest/gtest.h>
+
+namespace carom {
+namespace {
+
+TEST(GameSettings, TheNextVisitorBeginsWithTheFirstLanguageAndAnotherGameKeepsTheirs) {
+  const Rig rig;
+  const Scenario scenario;
+  Beginning beginning;
+  EXPECT_EQ(settingsOf(rig, scenario, "first.toml", beginning).languageOf,
+            (std::array<std::uint8_t, kMostViewers>{}));
+  beginning.languages =
+      std::make_shared<const SessionLanguages>(SessionLanguages{{"fr", "en", "ja"}, {1, 2}});
+  OperatorSettings settings = settingsOf(rig, scenario, "first.toml", beginning);
+  EXPECT_EQ(settings.languages, beginning.languages);
+  EXPECT_EQ(settings.languageOf, (std::array<std::uint8_t, kMostViewers>{1, 2}));
+  settings.languageOf = {2, 0};
+  for (const char* file : {"first.toml", "other.toml"}) {
+    const auto next = [&](bool isForNextVisitor, bool attracts) {
+      return settingsOfNext(settings, {file, isForNextVisitor, attracts}, rig, scenario, beginning)
+          .languageOf;
+    };
+    EXPECT_EQ(next(false, false), settings.languageOf) << file;
+    EXPECT_EQ(next(true, false), beginning.languages->atStart) << file;
+    EXPECT_EQ(next(false, true), beginning.languages->atStart) << file;
+  }
+}
+
+}  // namespace
+}  // namespace carom
