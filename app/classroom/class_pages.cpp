@@ -7,6 +7,7 @@
 
 #include "app/classroom/class_flow.h"
 #include "app/tables/html_text.h"
+#include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 #include "pages/class_css.h"
 #include "pages/class_html.h"
@@ -31,6 +32,7 @@ std::string wordsOfScript() {
 }  // namespace
 
 ClassPages classPages(const std::string& word, bool follows) {
+  const texts::InLanguage read(texts::ofSession(0));
   PageWords ofPage{{"word", htmlOf(word)}, {"language", texts::languageCode()}, {"follow", ""}};
   if (follows)
     ofPage["follow"] = fmt::format("<p><a href=\"/follow\">{}</a></p>", htmlOf(texts::page::kFollow.words()));

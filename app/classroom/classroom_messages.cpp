@@ -73,6 +73,7 @@ std::string Classroom::hint() const {
 }
 
 std::string Classroom::messageFor(Id id) {
+  const texts::InLanguage read(texts::ofSession(0));  // the first of the session, for all phones
   const auto found = guests_.find(id);
   if (found == guests_.end()) return {};
   Guest& guest = found->second;
@@ -84,9 +85,10 @@ std::string Classroom::messageFor(Id id) {
   if (guest.comesBack || isTeacher(id)) message["word"] = invitation_.word;  // its page may have another
   message["state"] = kClassPhases.at(static_cast<std::size_t>(flow_.phase()));
   message["round"] = round;
-  message["lesson"] = question_.lesson;
-  message["question"] = question_.question;
-  message["answers"] = question_.answers;
+  message["lesson"] = texts::other(question_.lesson);
+  message["question"] = texts::other(question_.question);
+  message["answers"] = Json::array();
+  for (const std::string& answer : question_.answers) message["answers"].push_back(texts::other(answer));
   message["answered"] = ballot_.answered(round);
   message["phones"] = phones();
   message["yours"] = nullptr;

@@ -14,6 +14,7 @@
 #include "app/files/rig_viewers.h"
 #include "cave/texts/format.h"
 #include "cave/texts/key_names.h"
+#include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -120,6 +121,7 @@ void Console::show(const ConsoleFrame& frame) {
     file_ = frame.settings.playing;
     games_.play(*scenario_, file_);
   }
+  const texts::InLanguage reads(texts::ofSession(frame.settings.languageOf[0]));
   walls_.prepare(frame);
   window_.show({}, [&] { drawAll(frame); });
   window_.swap();

@@ -40,6 +40,7 @@ void EventsPanel::play(const Scenario& scenario) {
   flashes_.clear();
   for (const Puck& puck : scenario.billiard.pucks) pucks_.push_back(puck.name);
   for (const Flash& flash : scenario.billiard.flashes) flashes_.push_back(flash.name);
+  nameInLanguage();
   c_m_s_ = scenario.billiard.lightSpeed_m_s;
   events_.clear();
 }
@@ -50,6 +51,14 @@ void EventsPanel::follow(const World& world) {
   std::erase_if(events_, [first](const GameEvent& event) { return event.number >= first; });
   events_.insert(events_.end(), world.events.begin(), world.events.end());
   if (events_.size() > kKept) events_.erase(events_.begin(), events_.end() - kKept);
+}
+
+void EventsPanel::nameInLanguage() {
+  language_ = texts::language();
+  puckNames_.clear();
+  flashNames_.clear();
+  for (const std::string& name : pucks_) puckNames_.push_back(texts::other(name));
+  for (const std::string& name : flashes_) flashNames_.push_back(texts::other(name));
 }
 
 /// Finds the events that have happened by now, by the board's clocks or in the viewer's own frame.
@@ -73,7 +82,8 @@ void EventsPanel::drawRow(const Row& row) const {
   ImGui::TableNextColumn();
   words(std::to_string(row.event->number));
   ImGui::TableNextColumn();
-  words(whoOf(*row.event, pucks_, flashes_));
+  if (language_ != texts::language()) nameInLanguage();
+  words(whoOf(*row.event, puckNames_, flashNames_));
   ImGui::TableNextColumn();
   words(whatOf(*row.event));
   if (row.event->cushion) {

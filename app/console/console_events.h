@@ -7,6 +7,7 @@
 
 #include "app/console/console_parts.h"
 #include "app/files/scenario.h"
+#include "cave/texts/language.h"
 
 namespace carom::console {
 
@@ -20,6 +21,7 @@ class EventsPanel {
   void draw(const FrameRecord& record);
 
  private:
+  void nameInLanguage();
   static constexpr std::size_t kKept = 300;
   struct Row {
     const GameEvent* event;
@@ -29,8 +31,9 @@ class EventsPanel {
   void find(const FrameRecord& record);
   void drawRow(const Row& row) const;
 
-  std::vector<std::string> pucks_;
-  std::vector<std::string> flashes_;
+  std::vector<std::string> pucks_, flashes_;         ///< names, as the game has them
+  std::vector<std::string> puckNames_, flashNames_;  ///< the same in the language in use
+  const texts::Language* language_ = nullptr;
   double c_m_s_ = 1.0;
   std::vector<GameEvent> events_;  ///< in the order of their numbers
   std::vector<Row> rows_;          ///< newest first

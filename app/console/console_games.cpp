@@ -10,6 +10,7 @@
 #include "app/files/config_folder.h"
 #include "app/operator/lesson.h"
 #include "app/operator/visitor_choices.h"
+#include "cave/frame/lesson_language.h"
 #include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
@@ -102,7 +103,7 @@ void GamesPanel::drawProgramme(const ConsoleFrame& frame) const {
   const std::size_t number = numberOf(*playlist_, file_);
   if (number < playlist_->games.size()) paragraph(texts::console::kNote, playlist_->games[number].note);
   if (!frame.following) return;
-  words(texts::format(texts::console::kNextGame, frame.following->game->title,
+  words(texts::format(texts::console::kNextGame, texts::other(frame.following->game->title),
                       std::max(0.0, frame.following->in_s)));
 }
 
@@ -115,7 +116,8 @@ void GamesPanel::drawList(const ConsoleFrame& frame) {
     Game& game = games_[i];
     ImGui::PushID(static_cast<int>(i));
     ImGui::PushStyleColor(ImGuiCol_Text, game.fault.empty() ? kBright : kDim);
-    if (ImGui::Selectable(game.title.c_str(), chosen_ == i, ImGuiSelectableFlags_AllowDoubleClick)) {
+    if (ImGui::Selectable(texts::other(game.title).c_str(), chosen_ == i,
+                          ImGuiSelectableFlags_AllowDoubleClick)) {
       chosen_ = i;
       if (i != played_) games_[i] = gameIn(game.file);  // it may have been corrected meanwhile
       twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
@@ -123,9 +125,10 @@ void GamesPanel::drawList(const ConsoleFrame& frame) {
     ImGui::PopStyleColor();
     tip(game.fault.empty() ? game.file : game.fault);
     if (i == played_) {
-      markAtRight(game.title, game.lesson ? texts::console::kIsPlayedLesson : texts::console::kIsPlayed);
+      markAtRight(texts::other(game.title),
+                  game.lesson ? texts::console::kIsPlayedLesson : texts::console::kIsPlayed);
     } else if (game.lesson) {
-      markAtRight(game.title, texts::console::kIsLesson);
+      markAtRight(texts::other(game.title), texts::console::kIsLesson);
     }
     ImGui::PopID();
   }
@@ -150,7 +153,7 @@ void GamesPanel::drawObservers(const ConsoleFrame& frame, const LessonPlan& plan
   for (std::size_t i = 0; i < plan.observers.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     ImGui::BeginDisabled(i == frame.settings.lessonObserver);
-    if (ImGui::Button(plan.observers[i].name.c_str()))
+    if (ImGui::Button(texts::other(plan.observers[i].name).c_str()))
       frame.commands.emplace_back(ChooseInLesson{static_cast<int>(i) + 1});
     ImGui::EndDisabled();
   }
@@ -158,7 +161,7 @@ void GamesPanel::drawObservers(const ConsoleFrame& frame, const LessonPlan& plan
 
 void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const {
   const LessonState& state = frame.record.lesson;
-  const LessonWords& said = lesson.words;
+  const LessonWords said = inLanguage(lesson.words);
   heading(texts::format(texts::console::kLesson, said.title).c_str());
   if (state.phase == LessonPhase::none) return dim(texts::console::kSkippedPhase);
   dim(phaseWords(state.phase));
@@ -174,7 +177,9 @@ void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) con
     paragraph(texts::console::kLookFor, said.notice);
   } else {
     ImGui::TextWrapped("%s", said.number.c_str());
-    paragraph(texts::console::kAnswer, answerText(said, state));
+    const bool isGiven = state.answer > 0 && state.answer <= said.answers.size();
+    paragraph(texts::console::kAnswer,
+              isGiven ? said.answers[state.answer - 1U] : texts::lesson::kSkipped.words());
     paragraph(texts::console::kCorrect, said.answers[said.right]);
   }
   drawObservers(frame, lesson.plan);
@@ -185,14 +190,15 @@ void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) con
 /// Draws the description of a chosen game that is not the current one.
 void GamesPanel::drawChosen() const {
   const Game& game = games_[chosen_];
-  heading(game.title.c_str());
+  heading(texts::other(game.title).c_str());
   if (!game.fault.empty()) return ImGui::TextWrapped("%s", game.fault.c_str());
   if (!game.lesson) return words(texts::console::kPlayBegins);
   dim(texts::console::kPlayBeginsLesson);
-  ImGui::TextWrapped("%s", game.words.question.c_str());
-  for (const std::string& answer : game.words.answers) words(texts::format(texts::console::kListed, answer));
-  paragraph(texts::console::kTryThis, game.words.todo);
-  paragraph(texts::console::kLookFor, game.words.notice);
+  const LessonWords said = inLanguage(game.words);
+  ImGui::TextWrapped("%s", said.question.c_str());
+  for (const std::string& answer : said.answers) words(texts::format(texts::console::kListed, answer));
+  paragraph(texts::console::kTryThis, said.todo);
+  paragraph(texts::console::kLookFor, said.notice);
 }
 
 void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {

@@ -13,7 +13,7 @@ void EndQuestion::take(const KeyInput& key, Clock::time_point now) {
   if (!key.pressed) return;
   if (key.key != GLFW_KEY_ESCAPE && key.key != GLFW_KEY_Q) return asked_.reset();
   ends_ = ends_ || asked_.has_value();
-  if (!asked_) log::note(texts::ending::kAgain);
+  if (!asked_) log::note(texts::ending::kAgain.english());
   asked_ = now;
 }
 

@@ -13,6 +13,7 @@
 #include "app/page/page_rows.h"
 #include "app/page/page_shaders.h"
 #include "cave/frame/bodies.h"
+#include "cave/frame/lesson_language.h"
 #include "cave/gl/view_colours.h"
 #include "cave/render/body_shaders.h"
 #include "cave/room/wall_eyes.h"
@@ -235,7 +236,7 @@ Json textsOf() {
 
 Json lessonOf(const Scenario& scenario) {
   if (!scenario.lesson) return nullptr;
-  const LessonWords& words = scenario.lesson->words;
+  const LessonWords words = inLanguage(scenario.lesson->words);
   return {{"title", words.title}, {"question", words.question}, {"answers", words.answers},
           {"todo", words.todo},   {"notice", words.notice},     {"number", words.number}};
 }

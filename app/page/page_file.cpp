@@ -9,6 +9,7 @@
 #include "app/page/still_picture.h"
 #include "app/tables/html_text.h"
 #include "cave/frame/bodies.h"
+#include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 #include "pages/controls_js.h"
 #include "pages/data_js.h"
@@ -63,8 +64,9 @@ bool canMakePages() {
 }
 
 std::string pageOf(const Visit& visit, const Scene& scene) {
+  const texts::InLanguage read(texts::ofSession(0));
   const std::string engine = engineLetters(), content = lettersOf(pageContent(visit, scene));
-  PageWords words{{"title", htmlOf(visit.scenario.title)},
+  PageWords words{{"title", htmlOf(texts::other(visit.scenario.title))},
                   {"language", texts::languageCode()},
                   {"style", pages::visit_css},
                   {"reaches", visit.live ? "'self'" : "'none'"},

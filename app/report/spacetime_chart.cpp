@@ -126,7 +126,7 @@ void addBodies(Chart& chart, const DiagramSubject& subject, const Plane& plane, 
     const double end_s = std::min(known_s, std::max(span.until_s, chart.yRange.y / subject.c_m_s));
     if (end_s <= span.from_s) continue;
     ChartLine line = lineOf(subject.lines[i], plane, span.from_s, end_s);
-    line.name = subject.names[i];
+    line.name = texts::other(subject.names[i]);
     line.colour = inkOf(subject.names[i], i);
     line.width_px = 2.5F;
     chart.lines.push_back(line);
@@ -227,11 +227,11 @@ void addOthers(Chart& chart, std::span<const OtherObserver> others, std::size_t 
 
 DiagramSubject subjectOf(const Scenario& scenario) {
   DiagramSubject subject;
-  subject.title = scenario.title;
+  subject.title = texts::other(scenario.title);
   subject.c_m_s = scenario.billiard.lightSpeed_m_s;
   for (const Puck& puck : scenario.billiard.pucks) subject.names.push_back(puck.name);
   for (const ScriptedBody& body : scenario.bodies) subject.names.push_back(body.name);
-  for (const Flash& flash : scenario.billiard.flashes) subject.flashes.push_back(flash.name);
+  for (const Flash& flash : scenario.billiard.flashes) subject.flashes.push_back(texts::other(flash.name));
   subject.board = scenario.billiard.board;
   return subject;
 }

@@ -3,6 +3,7 @@
 #include "app/input/key_table.h"
 #include "cave/gl/gui.h"
 #include "cave/overlay/latency_overlay.h"
+#include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -18,6 +19,7 @@ void WallsView::draw(const FrameRecord& record, const World& world) {
 }
 
 void WallsView::drawOver(const LatencyView* latency) {
+  const texts::InLanguage reads(texts::ofSession(director_.settings().languageOf[0]));
   if (latency) drawLatency(*latency, walls_.drawingTimes());
   if (director_.settings().keysShown) drawKeysOver(keys_.in(director_.settings().languageOf[0]));
   if (forConsole_ && isTilePressed(texts::console::kShow)) forConsole_->emplace_back(ShowConsole{true});

@@ -1,12 +1,10 @@
 #include "app/stage/session_setup.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <sstream>
 #include <stdexcept>
 
 #include "app/files/rig_headset.h"
@@ -16,6 +14,7 @@
 #include "app/nodes/rig_without.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
+#include "app/stage/shared_languages.h"
 #include "cave/frame/pacer.h"
 #include "cave/overlay/band_layout.h"
 #include "cave/scene/kept_light.h"
@@ -136,17 +135,6 @@ void placeAll(const Cluster& cluster, const SetupOptions& options, SessionSetup&
                             workAreas(present));
 }
 
-/// Returns rank 0's languages on every rank.
-std::vector<std::string> sharedLanguages(const Cluster& cluster, const SessionLanguages& languages) {
-  constexpr char kBetween = '\0';  // stands in no name
-  std::string text = fmt::format("{}", fmt::join(languages.all, std::string(1, kBetween)));
-  cluster.share(text);
-  std::vector<std::string> all;
-  std::istringstream names(text);
-  for (std::string name; std::getline(names, name, kBetween);) all.push_back(name);
-  return all;
-}
-
 /// Returns the languages' own names.
 std::vector<std::string> ownNamesOf(const std::vector<std::string>& languages) {
   std::vector<std::string> names;
@@ -173,7 +161,8 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   std::string people = options.people ? "people" : "";
   cluster.share(people);
   setup.people = !people.empty();
-  setup.languages = sharedLanguages(cluster, options.languages);
+  const std::array games{options.scenario.file.string()};
+  setup.languages = shareLanguages(cluster, options.languages, games);
   adaptGame(setup);
   onAllRanks(cluster, [&] {
     if (options.live && cluster.rank() == 0) openTraces(setup.rig);

@@ -9,14 +9,7 @@
 
 namespace carom {
 
-LetterFonts fontsHere() {
-  return {lettersWithoutFont, [] {
-            for (const LetterFont& font : letterFonts()) {
-              if (!std::filesystem::exists(font.file)) return std::string(font.package);
-            }
-            return std::string();
-          }};
-}
+LetterFonts fontsHere() { return {lettersWithoutFont, missingFontPackage}; }
 
 bool tellTranslation(const std::filesystem::path& file) {
   const ReadTranslation read = readTranslation(file, fontsHere());

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cave/gl/gui.h"
+#include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -54,6 +55,7 @@ void DisplayWalls::drawSession(const FrameRecord& record, const World& world) {
     ViewerState state = record.viewers[viewer];
     if (drawn_.eyesSwapped) std::swap(state.observer.left, state.observer.right);
     const SeenFrame seen(record, viewer, state);
+    const texts::InLanguage reads(texts::ofSession(state.language));
     pictures_.drawSession(seen, world);
     graphics_.makeCurrent();
     overlays_.draw(seen, pictures_);

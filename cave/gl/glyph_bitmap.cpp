@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -192,6 +193,12 @@ int advanceOf_px(char32_t letter) { return letters().advance_px(letter); }
 std::optional<std::size_t> fontOf(char32_t letter) {
   const std::optional<std::size_t> face = letters().fontOf(letter);
   return face ? std::optional(letters().placeInChain(*face)) : std::nullopt;
+}
+
+std::string missingFontPackage() {
+  for (const LetterFont& font : letterFonts())
+    if (!std::filesystem::exists(font.file)) return font.package;
+  return {};
 }
 
 std::u32string lettersWithoutFont(std::string_view text) {

@@ -49,6 +49,9 @@ int advanceOf_px(char32_t letter);
 /// Returns the place in the chain of the first installed font that has a letter; none.
 std::optional<std::size_t> fontOf(char32_t letter);
 
+/// Returns the package of the first font of the chain that is not installed; empty if all are.
+std::string missingFontPackage();
+
 /// Returns the letters of a text that no installed font has, each once.
 std::u32string lettersWithoutFont(std::string_view text);
 

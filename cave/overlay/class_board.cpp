@@ -186,7 +186,8 @@ void ClassBoard::paint() {
 
 void ClassBoard::draw(const Wall& wall, const ClassView& view, const RenderTarget& picture) {
   if (view.phase == ClassPhase::none) return;
-  if (view != view_ || picture_px_ != picture.size_px()) {
+  if (view != view_ || picture_px_ != picture.size_px() || language_ != texts::language()) {
+    language_ = texts::language();
     view_ = view;
     picture_px_ = picture.size_px();
     if (coded_ != view.address) {

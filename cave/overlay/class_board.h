@@ -16,6 +16,7 @@
 #include "cave/overlay/qr_code.h"
 #include "cave/record/class_view.h"
 #include "cave/room/wall.h"
+#include "cave/texts/language.h"
 
 namespace carom {
 
@@ -42,7 +43,8 @@ class ClassBoard {
   int begin_px() const;
 
   PanelPicture panel_;
-  ClassView view_;            ///< as it is painted
+  ClassView view_;  ///< as it is painted
+  const texts::Language* language_ = nullptr;
   glm::ivec2 picture_px_{0};  ///< size of the picture that it is painted for
   QrCode code_;
   ShortText<120> coded_;  ///< what the code says

@@ -98,7 +98,8 @@ void HomeArrow::draw(const RoomGeometry& room, const Wall& front, const glm::dve
   }
   const int height_px = std::max(8, static_cast<int>(kLetters * picture.size_px().y));
   const long distance_m = std::lround(seenTable(seen).distance_m);
-  if (height_px != height_px_ || distance_m != distance_m_) {
+  if (height_px != height_px_ || distance_m != distance_m_ || language_ != texts::language()) {
+    language_ = texts::language();
     height_px_ = height_px;
     distance_m_ = distance_m;
     const std::string words = texts::format(texts::message::kWayHome, distance_m);

@@ -13,6 +13,7 @@
 #include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"
+#include "cave/texts/language.h"
 
 namespace carom {
 
@@ -44,8 +45,9 @@ class HomeArrow {
   LineBatch ribbons_;
   std::vector<Ribbon> lines_;
   PanelPicture words_;
-  int height_px_ = 0;     ///< of the letters that were written
-  long distance_m_ = -1;  ///< that was written
+  int height_px_ = 0;                          ///< of the letters that were written
+  long distance_m_ = -1;                       ///< that was written
+  const texts::Language* language_ = nullptr;  ///< in which it was
 };
 
 }  // namespace carom

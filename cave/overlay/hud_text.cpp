@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/frame/clock_time.h"
+#include "cave/frame/lesson_language.h"
 #include "cave/frame/lesson_readings.h"
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/motion_overlay.h"
@@ -335,8 +336,9 @@ void HudText::setWall(const Wall& wall, std::span<const RoomViewer> viewers) {
 }
 
 void HudText::setLesson(const LessonWords& words, const LessonPlan& plan, bool mayLeave) {
-  lesson_ = words;
-  plan_ = plan;
+  lesson_ = inLanguage_ = words;
+  plan_ = planInLanguage_ = plan;
+  words_ = nullptr;
   mayLeave_ = mayLeave;
   tenths_s_ = -1;
 }
@@ -354,7 +356,12 @@ bool HudText::follow(const SeenFrame& seen) {
   notice_ = seen.self.notice;
   language_ = seen.self.language;
   isBand_ = seen.record.lesson.phase != LessonPhase::none;
-  describe(seen, lesson_, plan_, viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_);
+  if (words_ != texts::language()) {
+    words_ = texts::language();
+    inLanguage_ = inLanguage(lesson_);
+    planInLanguage_ = inLanguage(plan_);
+  }
+  describe(seen, inLanguage_, planInLanguage_, viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_);
   return true;
 }
 

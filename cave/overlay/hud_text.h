@@ -49,8 +49,9 @@ class HudText {
   LessonState lessonState_;
   Notice notice_;
   std::uint8_t language_ = 0;
-  LessonWords lesson_;
-  LessonPlan plan_;
+  LessonWords lesson_, inLanguage_;  ///< as the game has it, and as this viewer reads it
+  LessonPlan plan_, planInLanguage_;
+  const texts::Language* words_ = nullptr;  ///< the language of both
   std::vector<RoomViewer> viewers_;
   LineRoom bandRoom_ = kPanelRoom;
   bool isBand_ = false, mayLeave_ = true;

@@ -4,12 +4,15 @@
 #include <cctype>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "cave/texts/pseudo.h"
 
 namespace carom::texts {
 namespace {
 
 constinit thread_local const Language* inUse = nullptr;
+std::vector<std::shared_ptr<const Language>> sessionLanguages;
 
 /// Decimal comma and narrow no-break space in French and German (ISO 80000-1, 7.3).
 Digits digitsOf(std::string_view code) {
@@ -77,6 +80,41 @@ std::string Language::other(std::string_view english) const {
   const auto name = others_.find(std::string(english.substr(0, bare - 1)));
   if (name == others_.end()) return std::string(english);
   return name->second + std::string(english.substr(bare - 1));
+}
+
+std::string Language::packed() const {
+  nlohmann::json all{{"code", code_}, {"texts", nlohmann::json::object()}, {"others", others_}};
+  for (const Entry& entry : catalogue())
+    if (const auto& forms = forms_[entry.text.index()]; !forms.empty()) all["texts"][entry.name] = forms;
+  return all.dump();
+}
+
+Language Language::unpacked(const std::string& line) {
+  const nlohmann::json all = nlohmann::json::parse(line);
+  Language made(all.at("code").get<std::string>());
+  made.isPseudo_ = made.code_ == "pseudo";
+  for (const auto& [name, forms] : all.at("texts").items())
+    made.put(textNamed(name).index(), forms.get<std::vector<std::string>>());
+  made.others_ = all.at("others").get<decltype(made.others_)>();
+  return made;
+}
+
+std::string Language::allWords(std::string_view names) const {
+  std::string all;
+  for (const Entry& entry : catalogue())
+    if (entry.name.starts_with(names))
+      for (const std::string& words : forms_[entry.text.index()]) all += words;
+  if (names.empty())
+    for (const auto& [english, words] : others_) all += words;
+  return all;
+}
+
+void setSessionLanguages(std::vector<std::shared_ptr<const Language>> languages) {
+  sessionLanguages = std::move(languages);
+}
+
+const Language* ofSession(std::size_t number) {
+  return number < sessionLanguages.size() ? sessionLanguages[number].get() : nullptr;
 }
 
 const Language* language() { return inUse; }

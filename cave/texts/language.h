@@ -4,6 +4,7 @@
 // reader.
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -37,6 +38,13 @@ class Language {
   /// Sets the words of a text of a game, by its English.
   void putOther(std::string english, std::string words);
 
+  /// Returns all of it in one line, for another node, and makes it from such a line.
+  std::string packed() const;
+  static Language unpacked(const std::string& line);
+  /// Returns all its words, one after the other: of texts whose names begin so, and with "" those of games,
+  /// too.
+  std::string allWords(std::string_view names) const;
+
   const std::string& code() const { return code_; }
   const Digits& digits() const { return digits_; }
   /// Returns the words of a text; the English where there are no others. They stay where they are.
@@ -54,6 +62,12 @@ class Language {
   std::vector<std::vector<std::string>> forms_;  ///< of each text; none: English
   std::unordered_map<std::string, std::string> others_;
 };
+
+/// Sets the languages of the session, by their numbers in its records; null: English. They are read by all
+/// threads: set them before there are others.
+void setSessionLanguages(std::vector<std::shared_ptr<const Language>> languages);
+/// Returns the session's language of that number; null: English.
+const Language* ofSession(std::size_t number);
 
 /// Returns the language in use; null: English.
 const Language* language();

@@ -26,8 +26,8 @@ NAMING = ["cave/record"]
 # With these headers a room shows texts: on walls, in windows, as messages.
 SHOWING = ["imgui.h", "cave/gl/gui.h", "cave/gl/glyph_bitmap.h", "cave/overlay/panel_picture.h", "app/session/status_message.h"]
 MAKES_LETTERS = ["cave/gl"]
-# Asks which letters the fonts have, and shows none.
-ASKS_FOR_LETTERS = ["app/tools/check_translation.cpp"]
+# Ask which letters the fonts have, or which ones windows need, and show none.
+ASKS_FOR_LETTERS = ["app/tools/check_translation.cpp", "app/stage/shared_languages.cpp"]
 NOT_SHOWN = {
     # messages of the command line and of the log stand beside the code whose facts they name
     "note", "warn", "runtime_error", "invalid_argument",
