@@ -12,7 +12,7 @@
 #include "app/console/console_class.h"
 #include "app/console/console_link.h"
 #include "app/files/rig_viewers.h"
-#include "cave/texts/link_texts.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -69,7 +69,7 @@ bool tabsFitIn(float width_px, const ConsoleFrame& frame) {
 
 Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
                  KeysOf keys, const Scenario& scenario, const Scene& scene, bool waits)
-    : window_(graphics, texts::title::kConsole, place),
+    : window_(graphics, texts::title::kConsole.words(), place),
       keys_(keys),
       waits_(waits),
       keyMap_(keyMap(keys)),
@@ -248,7 +248,7 @@ void Console::drawDiagram(const ConsoleFrame& frame) {
 /// Draws the log, newest line first.
 void Console::drawSaid() const {
   for (const Line& line : said_) {
-    dim(fmt::format(texts::console::kSaidAt, line.said_s));
+    dim(texts::format(texts::console::kSaidAt, line.said_s));
     ImGui::SameLine();
     words(line.words);
   }

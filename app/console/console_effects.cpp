@@ -1,4 +1,5 @@
 #include "app/console/console_effects.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 
@@ -108,7 +109,7 @@ void EffectsPanel::drawLight(const ConsoleFrame& frame, double usual_m_s) {
                   texts::console::kLightSlider, ImGuiSliderFlags_Logarithmic)) {
     frame.commands.emplace_back(SetLightSpeed{light_m_s});
   }
-  tip(fmt::format(texts::console::kLightSliderTip, usual_m_s));
+  tip(texts::format(texts::console::kLightSliderTip, usual_m_s));
   ImGui::SameLine();
   words(texts::console::kLight);
   ImGui::SameLine();

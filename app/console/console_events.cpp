@@ -88,7 +88,7 @@ void EventsPanel::drawRow(const Row& row) const {
   }
   ImGui::TableNextColumn();
   ImGui::TextColored(row.seen ? kGood : kDim, "%s",
-                     row.seen ? texts::console::kSeen : texts::console::kNotYet);
+                     (row.seen ? texts::console::kSeen : texts::console::kNotYet).words());
 }
 
 void EventsPanel::draw(const FrameRecord& record) {

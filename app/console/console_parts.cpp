@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -97,7 +98,7 @@ void sameLineFor(float width_px) {
   if (ImGui::GetContentRegionAvail().x < width_px) ImGui::NewLine();
 }
 
-void seconds(double value_s) { words(fmt::format(texts::console::kSeconds, value_s)); }
+void seconds(double value_s) { words(texts::format(texts::console::kSeconds, value_s)); }
 
 bool tick(const char* label, bool on) { return ImGui::Checkbox(label, &on); }
 

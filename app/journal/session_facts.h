@@ -12,7 +12,7 @@ namespace carom {
 /// The SQLite application id of a journal ("Caro") and the version of its tables: another one whenever a
 /// column or a table is added. Files of other versions are refused.
 inline constexpr int kJournalId = 0x4361726f;
-inline constexpr int kJournalVersion = 11;
+inline constexpr int kJournalVersion = 12;
 
 /// Returns the key of the table session under which the name of a viewer stands: viewer, viewer_2, …
 inline std::string keyOfViewer(std::size_t viewer) {

@@ -138,7 +138,7 @@ struct ValueOf {
     return fmt::format("{}: {:.3g} J", c.task + 1, c.energy_j);
   }
   std::string operator()(const ShowBestShot&) { return "asked for"; }
-  std::string operator()(const TellPerson& c) { return c.words; }
+  std::string operator()(const TellPerson& c) { return c.words.english(); }
   std::string operator()(const SetLinked& c) { return onOrOff(c.on); }
   std::string operator()(const Pause& c) { return c.on ? "paused" : "goes on"; }
   std::string operator()(const SetRate& c) { return fmt::format("{:g}", c.rate); }

@@ -19,10 +19,10 @@ constexpr glm::vec3 kOnTile(240.0F), kOnPointed(15.0F);
 bool isFlat(const glm::ivec2& tile_px) { return tile_px.y < kFlat * tile_px.x; }
 
 /// Returns the name of an action and its key.
-std::pair<texts::Text, texts::Text> wordsOf(const WallAction& action) {
+std::pair<std::string_view, std::string_view> wordsOf(const WallAction& action) {
   switch (action.kind) {
     case WallAction::Kind::choice:
-      return {texts::kChoices.at(action.number), texts::kChoiceKeys.at(action.number)};
+      return {texts::tile::kChoices.at(action.number), texts::tile::kChoiceKeys.at(action.number)};
     case WallAction::Kind::goOn:
       return {texts::tile::kBestShot, texts::keys::kEnterKey};
     case WallAction::Kind::home:

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <optional>
 
-#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "cave/gl/gl_state_guard.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 #include "engine/base/code_points.h"
 
@@ -236,10 +236,8 @@ void CueOverlay::addScale(const HandView& hand, const ForceView& force, const Fa
     addText(target, aside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, texts::cue::kMarks[i]);
   }
   std::array<char, 24> words{};
-  const auto say = [&](double upwards, fmt::format_string<double&> format, double value,
-                       double height = kDigits) {
-    const auto said = fmt::format_to_n(words.data(), words.size(), format, value);
-    addText(target, aside - kBar, foot + upwards, height, {words.data(), said.size});
+  const auto say = [&](double upwards, const texts::Text& format, double value, double height = kDigits) {
+    addText(target, aside - kBar, foot + upwards, height, texts::formatTo(words, format, value));
   };
   say(-0.042, texts::cue::kSpeed, betaOf(hand.u));
   say(-0.080, texts::cue::kEnergy, cost);

@@ -12,6 +12,7 @@
 #include "cave/overlay/comfort_overlay.h"
 #include "cave/overlay/hud_text.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -100,7 +101,7 @@ void HomeArrow::draw(const RoomGeometry& room, const Wall& front, const glm::dve
   if (height_px != height_px_ || distance_m != distance_m_) {
     height_px_ = height_px;
     distance_m_ = distance_m;
-    const std::string words = fmt::format(texts::message::kWayHome, distance_m);
+    const std::string words = texts::format(texts::message::kWayHome, distance_m);
     const int room_px = picture.size_px().x - height_px;
     GlyphBitmap text = ink(words, height_px);
     if (text.size_px.x > room_px) text = ink(words, std::max(8, height_px * room_px / text.size_px.x));

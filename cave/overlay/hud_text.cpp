@@ -14,7 +14,7 @@
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
-#include "cave/texts/class_texts.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -33,15 +33,19 @@ class Lines {
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
-  /// Adds an entry of the legend: a line, or more if it is long.
+  /// Adds a text of the catalogue.
   template <typename... Values>
-  void add(const std::optional<glm::vec3>& mark, fmt::format_string<Values...> words, Values&&... values) {
+  void add(const std::optional<glm::vec3>& mark, texts::CheckedText<Values...> words,
+           const Values&... values) {
     entry_.clear();
-    fmt::format_to(std::back_inserter(entry_), words, std::forward<Values>(values)...);
-    breaker_.begin(entry_);
-    const LineRoom room = legendRoom();
-    begin(breaker_.take(room)).mark = mark;
-    while (!breaker_.isAtEnd()) begin(breaker_.take(behindIndent(room))).setIn = true;
+    texts::formatTo(entry_, words, values...);
+    addEntry(mark);
+  }
+
+  /// Adds these words.
+  void addWords(const std::optional<glm::vec3>& mark, std::string_view first, std::string_view more = {}) {
+    entry_.assign(first).append(more);
+    addEntry(mark);
   }
 
   /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented.
@@ -67,6 +71,14 @@ class Lines {
   }
 
  private:
+  /// Adds an entry of the legend: a line, or more if it is long.
+  void addEntry(const std::optional<glm::vec3>& mark) {
+    breaker_.begin(entry_);
+    const LineRoom room = legendRoom();
+    begin(breaker_.take(room)).mark = mark;
+    while (!breaker_.isAtEnd()) begin(breaker_.take(behindIndent(room))).setIn = true;
+  }
+
   /// Begins a line with these words.
   HudLine& begin(std::string_view words) {
     if (count_ == lines_.size()) lines_.emplace_back();
@@ -109,10 +121,11 @@ void addScore(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   if (count < 2) return lines.add({}, texts::legend::kScore, seen.self.score.caroms, seen.self.score.strokes);
   for (std::size_t i = 0; i < count; ++i) {
     const Score& score = seen.inOrder(i).score;
-    lines.add({}, texts::legend::kScoreOf, i == 0 ? std::string_view(texts::legend::kMe) : viewers[i].name,
-              score.caroms, score.strokes);
+    lines.add({}, texts::legend::kScoreOf,
+              i == 0 ? std::string_view(texts::legend::kMe) : std::string_view(viewers[i].name), score.caroms,
+              score.strokes);
   }
-  if (seen.self.hasTurn) lines.add({}, "{}", texts::legend::kYourTurn);
+  if (seen.self.hasTurn) lines.add({}, texts::legend::kYourTurn);
   for (std::size_t i = 1; i < count; ++i) {
     if (seen.inOrder(i).hasTurn) lines.add({}, texts::legend::kTheirTurn, viewers[i].name);
   }
@@ -126,10 +139,10 @@ void addOtherClocks(const SeenFrame& seen, Viewers viewers, Lines& lines) {
     const double older_s = own_s - seen.self.observer.properTime_s;
     if (std::abs(older_s) < kShown_s) {
       lines.add({}, texts::legend::kAsOld, viewers[i].name, shownTime_s(own_s));
+    } else if (older_s > 0.0) {
+      lines.add({}, texts::legend::kOlder, viewers[i].name, shownTime_s(own_s), older_s);
     } else {
-      const texts::Text words = older_s > 0.0 ? texts::legend::kOlder : texts::legend::kYounger;
-      lines.add({}, "{}",
-                fmt::format(fmt::runtime(words), viewers[i].name, shownTime_s(own_s), std::abs(older_s)));
+      lines.add({}, texts::legend::kYounger, viewers[i].name, shownTime_s(own_s), -older_s);
     }
   }
 }
@@ -147,15 +160,15 @@ void addTwins(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   if (seen.record.views.clocks) addOtherClocks(seen, viewers, lines);
 }
 
-HudChip chip(Kind kind, std::string words, std::uint8_t number = 0) {
-  return {{kind, number}, std::move(words)};
+HudChip chip(Kind kind, std::string_view words, std::uint8_t number = 0) {
+  return {{kind, number}, std::string(words)};
 }
 
 /// Adds what to press, and at the right the way out.
 void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudChip> chips, bool mayLeave,
                 Lines& lines) {
   if (seen.record.views.frozen) chips.push_back(chip(Kind::unfreeze, texts::lesson::kTimeGoesOn));
-  HudChip leave{actionOf(Choice::play), texts::lesson::kLeave};
+  HudChip leave{actionOf(Choice::play), texts::lesson::kLeave.words()};
   leave.atRight = true;
   if (mayLeave) chips.push_back(leave);
   lines.addChips(words, chips);
@@ -163,11 +176,10 @@ void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudCh
 
 void addQuestion(const SeenFrame& seen, const LessonWords& lesson, bool mayLeave, Lines& lines) {
   lines.wrap(lesson.question, texts::lesson::kQuestion);
-  constexpr auto& kNumbers = texts::lesson::kAnswerNumbers;
   const bool isByPhone = hasClass(seen.record.classroom);
-  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kAnswerNumbers.size()); ++i) {
     const WallAction row{Kind::choose, static_cast<std::uint8_t>(i + 1)};
-    lines.wrap(lesson.answers[i], kNumbers[i], false, isByPhone ? WallAction{} : row);
+    lines.wrap(lesson.answers[i], kAnswerNumbers[i], false, isByPhone ? WallAction{} : row);
   }
   if (isByPhone) return addButtons(seen, texts::classroom::kByPhone, {}, mayLeave, lines);
   addButtons(seen, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, mayLeave, lines);
@@ -177,7 +189,7 @@ void addQuestion(const SeenFrame& seen, const LessonWords& lesson, bool mayLeave
 void addReadings(const SeenFrame& seen, const LessonPlan& plan, std::string readings, Lines& lines) {
   for (const Stopwatch& watch : plan.stopwatches) {
     if (!readings.empty()) readings += "    ";
-    readings += fmt::format(
+    readings += texts::format(
         texts::lesson::kReading, watch.name,
         reading_s(watch, {seen.self.observer, seen.record.boardFromRoom, seen.record.lesson.phase}));
   }
@@ -190,7 +202,8 @@ void addObservers(const SeenFrame& seen, const LessonPlan& plan, Lines& lines) {
   const auto present = observerOf(plan, seen.record.boardFromRoom);
   std::vector<HudChip> offered;
   for (std::size_t i = 0; i < plan.observers.size(); ++i) {
-    offered.push_back(chip(Kind::choose, fmt::format(texts::lesson::kObserver, plan.observers[i].name, i + 2),
+    offered.push_back(chip(Kind::choose,
+                           texts::format(texts::lesson::kObserver, plan.observers[i].name, i + 2),
                            static_cast<std::uint8_t>(i + 1)));
     offered.back().isOn = present == i;
   }
@@ -203,15 +216,15 @@ void addAnswer(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
   const bool isHidden = lesson.right >= lesson.answers.size();
   const std::string words = isHidden ? given
                             : answer - 1U == lesson.right
-                                ? fmt::format(texts::lesson::kRight, given)
-                                : fmt::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
+                                ? texts::format(texts::lesson::kRight, given)
+                                : texts::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
   lines.wrap(words, texts::lesson::kYourAnswer);
 }
 
 /// Returns how the lesson's pace is told, or nothing.
 std::string paceWords(const LessonPlan& plan) {
   const double slowness = plan.interval.slowness;
-  return slowness > 1.0 ? fmt::format(texts::lesson::kSlowMotion, slowness) : "";
+  return slowness > 1.0 ? texts::format(texts::lesson::kSlowMotion, slowness) : "";
 }
 
 /// Adds what to press while the lesson explains.
@@ -276,10 +289,10 @@ void addEffects(const Switches& switches, Lines& lines) {
     const bool isOn = switches.*effect.value != 0;
     if (isOn == (kUsual.*effect.value != 0)) continue;
     std::string& all = isOn ? on : off;
-    all += (all.empty() ? "" : ", ") + std::string(effect.words);
+    all += (all.empty() ? "" : ", ") + std::string(effect.words.words());
   }
-  if (!off.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOff, off));
-  if (!on.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOn, on));
+  if (!off.empty()) lines.wrap(texts::format(texts::legend::kEffectsOff, off));
+  if (!on.empty()) lines.wrap(texts::format(texts::legend::kEffectsOn, on));
 }
 
 void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
@@ -295,7 +308,7 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   for (const NamedView& view : kNamedViews) {
     if (!view.legend || !(views.*view.value)) continue;
     const bool isEvents = view.value == &TimeViews::events;
-    lines.add(isEvents ? std::optional(kEventColour) : std::nullopt, "{}", view.legend);
+    lines.addWords(isEvents ? std::optional(kEventColour) : std::nullopt, view.legend);
     if (isEvents) lines.add(kFlashColour, texts::legend::kFlash);
   }
   if (views.frozen) lines.add({}, texts::legend::kFrozen);

@@ -67,19 +67,33 @@ PlateText plateText(std::string_view words) {
   return text;
 }
 
-PlateText wholeNumber(std::uint64_t number) { return written("{}", number % 1'000'000'000'000); }
+namespace {
+
+template <typename Value>
+PlateText numberOnPlate(fmt::string_view format, Value value) {
+  std::array<char, 64> text{};
+  const auto end =
+      fmt::vformat_to_n(text.data(), text.size(), format, fmt::make_format_args(texts::localized(value)));
+  return plateText({text.data(), std::min(end.size, text.size())});
+}
+
+}  // namespace
+
+PlateText wholeNumber(std::uint64_t number) { return numberOnPlate("{}", number % 1'000'000'000'000); }
 
 PlateText tenthsOf(double time_s) {
   const double tenths = std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s);
-  return written("{:.1f}", tenths / 10.0);
+  return numberOnPlate("{:.1f}", tenths / 10.0);
 }
 
 PlateText hundredthsOf(double time_s) {
   const double hundredths = std::clamp(std::round(100.0 * time_s), -99999.0, 99999.0);
-  return written("{:.2f}", hundredths / 100.0 + 0.0);  // a zero without a sign
+  return numberOnPlate("{:.2f}", hundredths / 100.0 + 0.0);  // a zero without a sign
 }
 
-PlateText measured(const char* words, double value) { return written(words, std::clamp(value, 0.0, 9999.0)); }
+PlateText measured(const texts::Text& words, double value) {
+  return written(words, std::clamp(value, 0.0, 9999.0));
+}
 
 double placesAcross(const PlateText& text, PlateShape shape) {
   return text.places + 2.0 * kMargins[static_cast<std::size_t>(shape)];

@@ -122,7 +122,7 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   // A class answers by phone: there is nothing to press.
   record.lesson.phase = LessonPhase::asks;
   record.classroom.phase = ClassPhase::vote;
-  record.classroom.word = Notice("KIWI");
+  record.classroom.word = ShortText<120>("KIWI");
   EXPECT_EQ(said(record, kLesson).back(), "Answer by phone.[Leave  F7]");
   describe(record, kLesson, {}, {}, kPanelRoom, lines);
   EXPECT_TRUE(std::none_of(lines.begin(), lines.end(), [](const HudLine& line) { return line.isRow(); }));
@@ -212,9 +212,9 @@ TEST(HudPanel, AnExplanationMayOfferSpacetime) {
     return found == chips.end() ? std::string() : found->text + (found->isOn ? " *" : "");
   };
   EXPECT_EQ(offered(false), "");
-  EXPECT_EQ(offered(true), texts::lesson::kSpacetime);
+  EXPECT_EQ(offered(true), texts::lesson::kSpacetime.words());
   record.views.spacetime = 1;
-  EXPECT_EQ(offered(true), std::string(texts::lesson::kSpacetime) + " *");
+  EXPECT_EQ(offered(true), std::string(texts::lesson::kSpacetime.words()) + " *");
 }
 
 TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
