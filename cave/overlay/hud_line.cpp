@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "cave/overlay/panel_place.h"
-#include "cave/texts/texts.h"
+#include "cave/texts/language.h"
 
 namespace carom {
 namespace {
@@ -21,7 +21,7 @@ double runningWidthOf(std::string_view text) { return kLetterWidth * static_cast
 
 }  // namespace
 
-bool isEnglish() { return texts::kLanguage[0] == 'e' && texts::kLanguage[1] == 'n'; }
+bool isEnglish() { return texts::language() == nullptr; }
 
 int leastLetter_px() { return isEnglish() ? 1 : kLeastLetter_px; }
 
