@@ -34,6 +34,7 @@
 #include "app/tools/observe.h"
 #include "app/tools/simulate.h"
 #include "app/tools/study.h"
+#include "app/tools/texts.h"
 #include "app/tools/track.h"
 
 namespace carom {
@@ -90,6 +91,7 @@ void addCommands(CLI::App& app, int& status) {
   addStudy(app, status);
   addList(app, status);
   addCheck(app, status, kOpeners, kShowPattern);
+  addTexts(app, status);
   addSimulate(app, status);
   addObserve(app, status, kSeenScene);
   addRoom(app, status);

@@ -3,7 +3,7 @@
 
 #include "app/classroom/class_host.h"
 #include "app/study/form_fields.h"
-#include "cave/texts/page_texts.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {

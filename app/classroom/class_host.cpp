@@ -178,7 +178,7 @@ ClassView ClassHost::view() const {
   ClassView view = room_.view();
   const std::string code = codes_.offered(secondsOf(SteadyClock::now()));
   if (code.empty() || view.phase != ClassPhase::idle) return view;
-  view.address = Notice(fmt::format("{}take/{}", room_.invitation().address, code));
+  view.address = ShortText<120>(fmt::format("{}take/{}", room_.invitation().address, code));
   view.word = {};
   return view;
 }

@@ -7,8 +7,6 @@
 
 #include "app/classroom/class_flow.h"
 #include "app/tables/html_text.h"
-#include "cave/texts/class_texts.h"
-#include "cave/texts/page_texts.h"
 #include "cave/texts/texts.h"
 #include "pages/class_css.h"
 #include "pages/class_html.h"
@@ -20,10 +18,11 @@ namespace {
 /// Returns the words that the script needs, as a JavaScript value.
 std::string wordsOfScript() {
   nlohmann::json all;
-  for (const texts::phone::Named& text : texts::phone::kScript) all[text.name] = text.words;
-  for (const texts::Text step : texts::phone::kConfidence) all["confidence"].push_back(step);
+  for (const auto& [name, words] : texts::pageWords("phone")) all[name] = words;
+  for (const texts::Text& step : texts::phone::kConfidence) all["confidence"].push_back(step.words());
   nlohmann::ordered_json steps;
-  for (std::size_t i = 0; i < kClassSteps.size(); ++i) steps[kClassSteps[i]] = texts::phone::kSteps.at(i);
+  for (std::size_t i = 0; i < kClassSteps.size(); ++i)
+    steps[kClassSteps[i]] = texts::phone::kSteps.at(i).words();
   std::string words = all.dump();
   words.back() = ',';  // in the place of its closing brace
   return words + "\"steps\":" + steps.dump() + "}";
@@ -32,10 +31,10 @@ std::string wordsOfScript() {
 }  // namespace
 
 ClassPages classPages(const std::string& word, bool follows) {
-  PageWords ofPage{{"word", htmlOf(word)}, {"language", texts::kLanguage}, {"follow", ""}};
+  PageWords ofPage{{"word", htmlOf(word)}, {"language", texts::languageCode()}, {"follow", ""}};
   if (follows)
-    ofPage["follow"] = fmt::format("<p><a href=\"/follow\">{}</a></p>", htmlOf(texts::page::kFollow));
-  for (const texts::phone::Named& text : texts::phone::kPage) ofPage[text.name] = htmlOf(text.words);
+    ofPage["follow"] = fmt::format("<p><a href=\"/follow\">{}</a></p>", htmlOf(texts::page::kFollow.words()));
+  for (const auto& [name, words] : texts::pageWords("phone")) ofPage[name] = htmlOf(words);
   return {filled(pages::class_html, ofPage), pages::class_css,
           filled(pages::class_js, {{"texts", wordsOfScript()}})};
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cave/texts/class_texts.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -45,14 +45,14 @@ void Classroom::receive(Id id, const PhoneMessage& message, double now_s) {
   if (guest != guests_.end()) guest->second.refusal = take(guest->second, id, message, now_s);
 }
 
-/// Takes a message. Returns why not, or null.
-const char* Classroom::take(Guest& guest, Id id, const PhoneMessage& message, double now_s) {
+/// Takes a message. Returns why not, or none.
+texts::Text Classroom::take(Guest& guest, Id id, const PhoneMessage& message, double now_s) {
   return std::visit(
-      Each{[&](const PhoneHello& hello) { return isTeacher(id) ? nullptr : join(guest, hello.token); },
+      Each{[&](const PhoneHello& hello) { return isTeacher(id) ? texts::Text() : join(guest, hello.token); },
            [&](const PhoneAnswer& given) { return answer(guest, given, now_s); },
-           [&](const PhoneReason& reason) -> const char* {
+           [&](const PhoneReason& reason) -> texts::Text {
              if (!flow_.isOpen() || reason.round != flow_.round()) return texts::phone::kVoteClosed;
-             return ballot_.explain(guest.token, reason.round, reason.words) ? nullptr
+             return ballot_.explain(guest.token, reason.round, reason.words) ? texts::Text()
                                                                              : texts::phone::kAnswerFirst;
            },
            [&](const TeacherPin& pin) { return teach(guest, id, pin.pin, now_s); },
@@ -63,8 +63,8 @@ const char* Classroom::take(Guest& guest, Id id, const PhoneMessage& message, do
 }
 
 /// Gives a phone its place again, or a new one if its token is none of ours.
-const char* Classroom::join(Guest& guest, const std::string& token) {
-  if (!guest.token.empty()) return nullptr;
+texts::Text Classroom::join(Guest& guest, const std::string& token) {
+  if (!guest.token.empty()) return {};
   guest.comesBack = !token.empty();
   if (tokens_.size() >= kMostPhones) {
     // Those that have gone and have not voted can be forgotten.
@@ -82,20 +82,20 @@ const char* Classroom::join(Guest& guest, const std::string& token) {
     guest.token = *tokens_.insert(newToken_()).first;
   }
   changed_ = true;
-  return nullptr;
+  return {};
 }
 
-const char* Classroom::answer(const Guest& guest, const PhoneAnswer& given, double now_s) {
+texts::Text Classroom::answer(const Guest& guest, const PhoneAnswer& given, double now_s) {
   if (guest.token.empty()) return texts::phone::kHelloFirst;
   if (!flow_.isOpen() || given.round != flow_.round()) return texts::phone::kVoteClosed;
   if (static_cast<std::size_t>(given.answer) > question_.answers.size()) return texts::phone::kNoMessage;
   ballot_.cast(guest.token, given.round, {given.answer, given.confidence, now_s - opened_s_, {}});
   changed_ = true;
-  return nullptr;
+  return {};
 }
 
 /// Makes the guest the teacher, in the place of the one before, if the PIN is right.
-const char* Classroom::teach(Guest& guest, Id id, const std::string& pin, double now_s) {
+texts::Text Classroom::teach(Guest& guest, Id id, const std::string& pin, double now_s) {
   switch (gate_.tryPin(pin, guest.address, now_s)) {
     case PinAnswer::wrong:
       return texts::phone::kWrongPin;
@@ -106,7 +106,7 @@ const char* Classroom::teach(Guest& guest, Id id, const std::string& pin, double
   }
   teacher_ = id;
   guest.wasTeacher = changed_ = true;
-  return nullptr;
+  return {};
 }
 
 bool Classroom::may(ClassStep step) const {
@@ -114,16 +114,16 @@ bool Classroom::may(ClassStep step) const {
   return flow_.may(step) && (question_.isAsked() || !needsQuestion);
 }
 
-const char* Classroom::take(ClassStep step, double now_s) {
+texts::Text Classroom::take(ClassStep step, double now_s) {
   if (awaited_ && now_s > awaited_->until_s) awaited_.reset();
   if (awaited_ && step == ClassStep::ask) {
     awaited_->asks = true;
-    return nullptr;
+    return {};
   }
   if (!may(step)) return question_.isAsked() ? texts::phone::kNotNow : texts::phone::kNoQuestion;
   if (step == ClassStep::close) {
     close();
-    return nullptr;
+    return {};
   }
   flow_.take(step);
   if (flow_.isOpen()) opened_s_ = now_s;
@@ -134,7 +134,7 @@ const char* Classroom::take(ClassStep step, double now_s) {
   if (step == ClassStep::explain) wishes_.push_back(LessonWish::explain);
   if (step == ClassStep::next) wishes_.push_back(LessonWish::next);
   changed_ = true;
-  return nullptr;
+  return {};
 }
 
 /// Closes the open vote, whose answers count now.

@@ -68,7 +68,7 @@ class Classroom {
   void refuseMessage(Id id);
 
   /// Takes a step. Returns why not, or null if it was possible.
-  const char* take(ClassStep step, double now_s);
+  texts::Text take(ClassStep step, double now_s);
   bool may(ClassStep step) const;
   void follow(const LessonNews& news, double now_s);
 
@@ -91,14 +91,14 @@ class Classroom {
   /// The person behind a connection.
   struct Guest {
     std::string address, token;
-    const char* refusal = nullptr;  ///< not told yet
+    texts::Text refusal;  ///< not told yet
     bool wasTeacher = false;
     bool comesBack = false;  ///< with a token of this class or of one before
   };
-  const char* take(Guest& guest, Id id, const PhoneMessage& message, double now_s);
-  const char* join(Guest& guest, const std::string& token);
-  const char* answer(const Guest& guest, const PhoneAnswer& given, double now_s);
-  const char* teach(Guest& guest, Id id, const std::string& pin, double now_s);
+  texts::Text take(Guest& guest, Id id, const PhoneMessage& message, double now_s);
+  texts::Text join(Guest& guest, const std::string& token);
+  texts::Text answer(const Guest& guest, const PhoneAnswer& given, double now_s);
+  texts::Text teach(Guest& guest, Id id, const std::string& pin, double now_s);
   void close();
   void goOnWith(const ClassLeft& left);
   std::size_t phones() const;

@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/classroom/classroom.h"
-#include "cave/texts/class_texts.h"
+#include "cave/texts/format.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -62,14 +63,13 @@ std::string Classroom::hint() const {
   constexpr double kFew = 30.0, kMany = 70.0;
   if (flow_.phase() != ClassPhase::closed) return "";
   const std::optional<VoteCounts> counts = countsToShow(flow_.round());
-  if (!counts) return fmt::format(texts::phone::kTooFew, kLeastForCounts);
+  if (!counts) return texts::format(texts::phone::kTooFew, kLeastForCounts);
   const auto all = static_cast<double>(std::accumulate(counts->begin(), counts->end(), std::uint64_t{0}));
   const double right = 100.0 * static_cast<double>(counts->at(question_.right)) / all;
-  const char* const words = right < kFew         ? texts::phone::kHintFew
-                            : right > kMany      ? texts::phone::kHintMany
-                            : flow_.round() == 1 ? texts::phone::kHintDiscuss
-                                                 : texts::phone::kHintShow;
-  return fmt::format(fmt::runtime(words), right);
+  if (right < kFew) return texts::format(texts::phone::kHintFew, right);
+  if (right > kMany) return texts::format(texts::phone::kHintMany, right);
+  return flow_.round() == 1 ? texts::format(texts::phone::kHintDiscuss, right)
+                            : texts::format(texts::phone::kHintShow, right);
 }
 
 std::string Classroom::messageFor(Id id) {
@@ -77,7 +77,7 @@ std::string Classroom::messageFor(Id id) {
   if (found == guests_.end()) return {};
   Guest& guest = found->second;
   Json message = Json::object();
-  if (const char* const refusal = std::exchange(guest.refusal, nullptr)) message["refused"] = refusal;
+  if (const texts::Text refusal = std::exchange(guest.refusal, {})) message["refused"] = refusal.words();
   if (!isIn(id)) return textOf(message);
   const int round = flow_.round();
   message["token"] = guest.token;
@@ -129,8 +129,8 @@ ClassView Classroom::view() const {
   view.phones = phones();
   for (int round = 1; round <= static_cast<int>(kVotes); ++round)
     view.counts.at(static_cast<std::size_t>(round - 1)) = countsToShow(round).value_or(VoteCounts{});
-  view.address = Notice(invitation_.address);
-  view.word = Notice(invitation_.word);
+  view.address = ShortText<120>(invitation_.address);
+  view.word = ShortText<120>(invitation_.word);
   return view;
 }
 

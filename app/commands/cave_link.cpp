@@ -151,7 +151,7 @@ void CaveLink::begin(bool isInvited, const InputFile& game, Scenario& scenario) 
 }
 
 bool CaveLink::mayChoose(LiveSource& source) {
-  const std::string why = room_.whyNotChoose();
+  const texts::Saying why = room_.whyNotChoose();
   if (!why.empty()) source.announce(why);
   return why.empty();
 }

@@ -367,7 +367,7 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
   if (!playNext(cluster, setup, game)) {
     if (isInvited) link->refuse("its game cannot be played here");
     if (windows.console) tellConsole(*windows.console, file);
-    if (play) play->source.announce("That game has a mistake: the terminal and the console say where");
+    if (play) play->source.announce(texts::message::kGameMistake);
     return true;
   }
   inputs.scenario = game;

@@ -12,8 +12,8 @@
 #include "app/console/console_class.h"
 #include "app/console/console_link.h"
 #include "app/files/rig_viewers.h"
+#include "cave/texts/format.h"
 #include "cave/texts/key_names.h"
-#include "cave/texts/link_texts.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -43,6 +43,14 @@ void part(const char* name, const ImVec2& at, const ImVec2& size) {
   ImGui::BeginChild(name, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
 }
 
+/// Returns the width of the buttons at the top, the same of all.
+float button_px() {
+  using namespace texts::console;
+  const float sides_px = 2.0F * ImGui::GetStyle().FramePadding.x;
+  return sides_px +
+         widthOf({kHide, kNextVisitor, kKeysButton, kLightWalls, kBlackWalls}, kButton_px - sides_px);
+}
+
 /// Returns whether the names of all tabs fit in this width.
 bool tabsFitIn(float width_px, const ConsoleFrame& frame) {
   using namespace texts::console;
@@ -62,7 +70,7 @@ bool tabsFitIn(float width_px, const ConsoleFrame& frame) {
 
 Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& rig, const Cluster& cluster,
                  KeysOf keys, const Scenario& scenario, const Scene& scene, bool waits)
-    : window_(graphics, texts::title::kConsole, place),
+    : window_(graphics, texts::title::kConsole.words(), place),
       keys_(keys),
       waits_(waits),
       keyMap_(keys),
@@ -128,14 +136,15 @@ void Console::drawAll(const ConsoleFrame& frame) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  const float left = kGap_px, right = kLeft_px + 2 * kGap_px, width = size.x - right - kGap_px;
-  const bool isNarrow = size.x < kNarrow_px + (waits_ ? kButton_px + kGap_px : 0.0F);
+  const float left = kGap_px, left_px = effects_.width_px(kLeft_px), right = left_px + 2 * kGap_px;
+  const float width = size.x - right - kGap_px;
+  const bool isNarrow = size.x < kNarrow_px + (waits_ ? button_px() + kGap_px : 0.0F);
   const float top_px = kTop_px + (isNarrow ? kRow_px : 0.0F), top = top_px + kGap_px;
   const float bottom = size.y - kSaid_px - 2 * kGap_px;
   part("##top", {0.0F, 0.0F}, {size.x, top_px});
   drawTop(frame, isNarrow);
   ImGui::EndChild();
-  part("##effects", {left, top}, {kLeft_px, size.y - kGap_px - top});
+  part("##effects", {left, top}, {left_px, size.y - kGap_px - top});
   effects_.draw(frame, scenario_->billiard.lightSpeed_m_s);
   ImGui::EndChild();
   part("##walls", {right, top}, {width, kWalls_px});
@@ -162,7 +171,7 @@ void Console::drawAll(const ConsoleFrame& frame) {
 void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
   const float width = ImGui::GetContentRegionMax().x;
   const int count = (isLive(keys_) ? 3 : 2) + (waits_ ? 1 : 0);
-  const float buttons = width - static_cast<float>(count) * (kButton_px + kGap_px) + kGap_px;
+  const float buttons = width - static_cast<float>(count) * (button_px() + kGap_px) + kGap_px;
   const ImVec2 at = ImGui::GetWindowPos();
   const float words_px = isNarrow ? width : buttons - kGap_px;
   ImGui::PushClipRect(at, {at.x + words_px, at.y + ImGui::GetWindowHeight()}, true);
@@ -181,7 +190,7 @@ void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
   clocks_.draw(frame, words_px - kGap_px);
   ImGui::PopClipRect();
   ImGui::SetCursorPos({isNarrow ? kGap_px : buttons, isNarrow ? kTop_px : 12.0F});
-  drawButtons(frame, {kButton_px, isNarrow ? kRow_px - kGap_px : kButtonHigh_px});
+  drawButtons(frame, {button_px(), isNarrow ? kRow_px - kGap_px : kButtonHigh_px});
 }
 
 void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
@@ -241,7 +250,7 @@ void Console::drawDiagram(const ConsoleFrame& frame) {
 /// Draws the log, newest line first.
 void Console::drawSaid() const {
   for (const Line& line : said_) {
-    dim(fmt::format(texts::console::kSaidAt, line.said_s));
+    dim(texts::format(texts::console::kSaidAt, line.said_s));
     ImGui::SameLine();
     words(line.words);
   }

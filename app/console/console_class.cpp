@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cave/texts/class_texts.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -14,10 +14,10 @@ namespace {
 void drawJoining(const ClassInvitation& invitation) {
   heading(texts::console::kClassJoin);
   words(invitation.address);
-  words(fmt::format(texts::classroom::kRoom, invitation.word));
+  words(texts::format(texts::classroom::kRoom, invitation.word));
   heading(texts::console::kClassTeacher);
-  words(fmt::format(texts::console::kClassPage, invitation.address));
-  words(fmt::format(texts::console::kClassPin, invitation.pin));
+  words(texts::format(texts::console::kClassPage, invitation.address));
+  words(texts::format(texts::console::kClassPin, invitation.pin));
   tip(texts::console::kClassTeacherTip);
 }
 
@@ -29,12 +29,12 @@ void drawCounts(const ClassView& view) {
   };
   if (!isShown(0) && !isShown(1)) return;
   for (std::size_t answer = 0; answer < view.choices; ++answer) {
-    words(texts::lesson::kAnswerNumbers.at(answer));
+    words(kAnswerNumbers.at(answer));
     for (std::size_t vote = 0; vote < kVotes; ++vote) {
       if (!isShown(vote)) continue;
       ImGui::SameLine(kColumn_em * ImGui::GetFontSize() * static_cast<float>(vote + 1));
-      words(fmt::format(texts::console::kClassCounted, texts::classroom::kVotes.at(vote),
-                        view.counts[vote][answer]));
+      words(texts::format(texts::console::kClassCounted, texts::classroom::kVotes.at(vote),
+                          view.counts[vote][answer]));
     }
     if (view.right == answer + 1) {
       ImGui::SameLine();
@@ -51,7 +51,7 @@ void drawClass(const ConsoleFrame& frame) {
   ClassFlow flow;
   flow.resume(view.phase, view.round);
   heading(nameOf(view.phase, view.round).c_str());
-  words(fmt::format(texts::console::kClassCount, view.phones, view.answered));
+  words(texts::format(texts::console::kClassCount, view.phones, view.answered));
   const ImGuiStyle& style = ImGui::GetStyle();
   const float right_px = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   const auto widthOf = [&](std::size_t step) {

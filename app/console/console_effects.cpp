@@ -1,9 +1,11 @@
 #include "app/console/console_effects.h"
+#include "cave/texts/format.h"
 #include "cave/texts/key_names.h"
 #include "cave/texts/language_names.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,7 +14,17 @@
 namespace carom::console {
 namespace {
 
-constexpr float kBeside_em = 7.5F;  // width left beside a slider
+constexpr float kBeside_em = 7.5F;                  // width left beside a slider
+constexpr float kTicks_em = 3.0F, kKeys_em = 2.0F;  // columns of the effects
+
+/// Returns the width that the words beside the sliders need.
+float besideSlider_px() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float light_px = widthOf({texts::console::kLight}, 0.0F) + widthOf({texts::console::kUsual}, 0.0F) +
+                         2.0F * (style.ItemSpacing.x + style.FramePadding.x);
+  const float eyes_px = widthOf({texts::console::kBetweenEyes}, 0.0F) + style.ItemInnerSpacing.x;
+  return std::max({kBeside_em * ImGui::GetFontSize(), light_px, eyes_px});
+}
 
 void drawKey(const std::string& key) {
   if (!key.empty()) keyAtRight(key);
@@ -37,6 +49,24 @@ void EffectsPanel::nameKeys() {
   }
 }
 
+float EffectsPanel::width_px(float least_px) const {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float em = ImGui::GetFontSize(), sides_px = 2.0F * style.WindowPadding.x;
+  const float box_px = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x;
+  const auto keep = [&](const char* name, float beside_px) {
+    least_px = std::max(least_px, sides_px + widthOf({name}, 0.0F) + beside_px);
+  };
+  const auto keepTicked = [&](const char* name, const std::string& key) {
+    keep(name, box_px + style.ItemSpacing.x + widthOf({key.c_str()}, 0.0F));
+  };
+  for (std::size_t i = 0; i < kNamedViews.size(); ++i) keepTicked(kNamedViews[i].words, viewKeys_[i]);
+  const KeyLine comfort = keyFor(keys_, "comfort");  // the longest of the walls' names
+  keepTicked(comfort.does.c_str(), comfort.keys);
+  for (const NamedSwitch& effect : kNamedSwitches)
+    keep(effect.words, 2.0F * kTicks_em * em + kKeys_em * em + 8.0F * style.CellPadding.x);
+  return least_px;
+}
+
 void EffectsPanel::drawSwitches(const ConsoleFrame& frame) const {
   const OperatorSettings& settings = frame.settings;
   heading(texts::console::kEffects);
@@ -44,8 +74,8 @@ void EffectsPanel::drawSwitches(const ConsoleFrame& frame) const {
   const float em = ImGui::GetFontSize();
   ImGui::TableSetupColumn("##name", ImGuiTableColumnFlags_WidthStretch);
   for (const char* column : {"##on", "##right"})
-    ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed, 3 * em);
-  ImGui::TableSetupColumn("##keys", ImGuiTableColumnFlags_WidthFixed, 2 * em);
+    ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed, kTicks_em * em);
+  ImGui::TableSetupColumn("##keys", ImGuiTableColumnFlags_WidthFixed, kKeys_em * em);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TableNextColumn();
@@ -82,20 +112,20 @@ void EffectsPanel::drawSwitches(const ConsoleFrame& frame) const {
 void EffectsPanel::drawLight(const ConsoleFrame& frame, double usual_m_s) {
   heading(texts::console::kLightAndEyes);
   ImGui::BeginDisabled(!isLive(keys_));
-  ImGui::SetNextItemWidth(-kBeside_em * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(-besideSlider_px());
   double light_m_s = frame.settings.lightSpeed_m_s;
   if (light_.draw("##light", light_m_s, kLeastLightSpeed_m_s, kMostLightSpeed_m_s,
                   texts::console::kLightSlider, ImGuiSliderFlags_Logarithmic)) {
     frame.commands.emplace_back(SetLightSpeed{light_m_s});
   }
-  tip(fmt::format(texts::console::kLightSliderTip, usual_m_s));
+  tip(texts::format(texts::console::kLightSliderTip, usual_m_s));
   ImGui::SameLine();
   words(texts::console::kLight);
   ImGui::SameLine();
   if (ImGui::SmallButton(texts::console::kUsual)) frame.commands.emplace_back(SetLightSpeed{usual_m_s});
   tip(texts::console::kUsualTip);
   double apart_mm = 1e3 * frame.settings.eyeSeparation_m;
-  ImGui::SetNextItemWidth(-kBeside_em * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(-besideSlider_px());
   if (eyes_.draw(texts::console::kBetweenEyes, apart_mm, 0.0, 1e3 * kMostEyeSeparation_m,
                  texts::console::kEyesSlider)) {
     // Rounded to a tenth of a millimetre, as with the keys.
@@ -121,7 +151,8 @@ void EffectsPanel::drawWalls(const ConsoleFrame& frame) const {
   const WallControls& walls = frame.settings.walls;
   heading(texts::console::kWalls);
   for (std::size_t i = 0; i < texts::console::kShown.size(); ++i) {
-    if (i > 0) ImGui::SameLine();
+    const float width_px = ImGui::GetFrameHeight() + widthOf({texts::console::kShown[i]}, 0.0F);
+    if (i > 0) sameLineFor(ImGui::GetStyle().ItemInnerSpacing.x + width_px);
     if (keys_ == KeysOf::patterns && i == 0) continue;
     if (ImGui::RadioButton(texts::console::kShown[i], walls.shown == static_cast<Shown>(i)))
       frame.commands.emplace_back(ShowOnWalls{static_cast<Shown>(i)});

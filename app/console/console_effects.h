@@ -15,6 +15,8 @@ class EffectsPanel {
   /// `viewers` are the names of those whose languages can be chosen.
   EffectsPanel(KeysOf keys, std::vector<std::string> viewers);
 
+  /// Returns how wide the column's names and keys are, but at least this.
+  float width_px(float least_px) const;
   /// Draws the column. `usual_m_s` is the scenario's own light speed.
   void draw(const ConsoleFrame& frame, double usual_m_s);
 

@@ -88,7 +88,7 @@ void EventsPanel::drawRow(const Row& row) const {
   }
   ImGui::TableNextColumn();
   ImGui::TextColored(row.seen ? kGood : kDim, "%s",
-                     row.seen ? texts::console::kSeen : texts::console::kNotYet);
+                     (row.seen ? texts::console::kSeen : texts::console::kNotYet).words());
 }
 
 void EventsPanel::draw(const FrameRecord& record) {
@@ -107,8 +107,10 @@ void EventsPanel::draw(const FrameRecord& record) {
   ImGui::TableSetupScrollFreeze(0, 1);
   constexpr std::array<float, texts::console::kEventColumns.size()> kWidths_em{2.5F, 9.0F, 9.0F,
                                                                                7.0F, 9.0F, 0.0F};
-  for (std::size_t i = 0; i < kWidths_em.size(); ++i)
-    ImGui::TableSetupColumn(texts::console::kEventColumns[i], 0, kWidths_em[i] * em);
+  for (std::size_t i = 0; i < kWidths_em.size(); ++i) {
+    const char* name = texts::console::kEventColumns[i];
+    ImGui::TableSetupColumn(name, 0, kWidths_em[i] > 0.0F ? widthOf({name}, kWidths_em[i] * em) : 0.0F);
+  }
   ImGui::TableHeadersRow();
   for (const Row& row : rows_) drawRow(row);
   ImGui::EndTable();

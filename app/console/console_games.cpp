@@ -10,6 +10,7 @@
 #include "app/files/config_folder.h"
 #include "app/operator/lesson.h"
 #include "app/operator/visitor_choices.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -101,8 +102,8 @@ void GamesPanel::drawProgramme(const ConsoleFrame& frame) const {
   const std::size_t number = numberOf(*playlist_, file_);
   if (number < playlist_->games.size()) paragraph(texts::console::kNote, playlist_->games[number].note);
   if (!frame.following) return;
-  words(fmt::format(texts::console::kNextGame, frame.following->game->title,
-                    std::max(0.0, frame.following->in_s)));
+  words(texts::format(texts::console::kNextGame, frame.following->game->title,
+                      std::max(0.0, frame.following->in_s)));
 }
 
 void GamesPanel::drawList(const ConsoleFrame& frame) {
@@ -158,13 +159,13 @@ void GamesPanel::drawObservers(const ConsoleFrame& frame, const LessonPlan& plan
 void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const {
   const LessonState& state = frame.record.lesson;
   const LessonWords& said = lesson.words;
-  heading(fmt::format(texts::console::kLesson, said.title).c_str());
+  heading(texts::format(texts::console::kLesson, said.title).c_str());
   if (state.phase == LessonPhase::none) return dim(texts::console::kSkippedPhase);
   dim(phaseWords(state.phase));
   if (state.phase == LessonPhase::asks) {
     ImGui::TextWrapped("%s", said.question.c_str());
     for (std::size_t i = 0; i < said.answers.size(); ++i) {
-      const std::string label = fmt::format(texts::console::kNumbered, i + 1, said.answers[i]);
+      const std::string label = texts::format(texts::console::kNumbered, i + 1, said.answers[i]);
       if (ImGui::Button(label.c_str(), {-1.0F, 0.0F}))
         frame.commands.emplace_back(ChooseInLesson{static_cast<int>(i) + 1});
     }
@@ -189,7 +190,7 @@ void GamesPanel::drawChosen() const {
   if (!game.lesson) return words(texts::console::kPlayBegins);
   dim(texts::console::kPlayBeginsLesson);
   ImGui::TextWrapped("%s", game.words.question.c_str());
-  for (const std::string& answer : game.words.answers) words(fmt::format(texts::console::kListed, answer));
+  for (const std::string& answer : game.words.answers) words(texts::format(texts::console::kListed, answer));
   paragraph(texts::console::kTryThis, game.words.todo);
   paragraph(texts::console::kLookFor, game.words.notice);
 }
@@ -203,8 +204,8 @@ void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
   } else {
     heading(scenario_->title.c_str());
   }
-  words(fmt::format(texts::console::kPucksAndLight, scenario_->billiard.pucks.size(),
-                    scenario_->billiard.lightSpeed_m_s));
+  words(texts::format(texts::console::kPucksAndLight, scenario_->billiard.pucks.size(),
+                      scenario_->billiard.lightSpeed_m_s));
   dim(std::filesystem::path(file_).filename().string());
   tip(file_);
   drawProgramme(frame);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -87,7 +88,17 @@ void keyAtRight(std::string_view key) {
   dim(key);
 }
 
-void seconds(double value_s) { words(fmt::format(texts::console::kSeconds, value_s)); }
+float widthOf(std::initializer_list<const char*> words, float least_px) {
+  for (const char* each : words) least_px = std::max(least_px, ImGui::CalcTextSize(each).x);
+  return least_px;
+}
+
+void sameLineFor(float width_px) {
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < width_px) ImGui::NewLine();
+}
+
+void seconds(double value_s) { words(texts::format(texts::console::kSeconds, value_s)); }
 
 bool tick(const char* label, bool on) { return ImGui::Checkbox(label, &on); }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Colours, text styles and small widgets shared by the console's panels.
 
+#include <initializer_list>
 #include <string_view>
 
 #include <imgui.h>
@@ -56,6 +57,11 @@ void tip(std::string_view words);
 void light(const ImVec4& colour);
 /// Draws a key's label at the right edge of the line.
 void keyAtRight(std::string_view key);
+/// Returns how wide words are, but at least this.
+float widthOf(std::initializer_list<const char*> words, float least_px);
+/// Goes on in this line, or in the next one where there is no room for an item so wide.
+void sameLineFor(float width_px);
+
 /// Draws a time as "12.3 s", aligned so that times in a column line up.
 void seconds(double value_s);
 

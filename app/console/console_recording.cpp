@@ -8,6 +8,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -25,11 +26,11 @@ std::filesystem::path timed(const std::optional<std::filesystem::path>& session,
 void made(texts::Text what, const std::filesystem::path& where, std::uint64_t frames, std::uint64_t leftOut,
           texts::Text option) {
   heading(what);
-  if (where.empty()) return dim(fmt::format(texts::console::kNotMade, option));
+  if (where.empty()) return dim(texts::format(texts::console::kNotMade, option));
   words(where.string());
-  dim(fmt::format(texts::console::kFrames, frames));
+  dim(texts::format(texts::console::kFrames, frames));
   if (leftOut == 0) return;
-  ImGui::TextColored(kFair, "%s", fmt::format(texts::console::kLeftOut, leftOut).c_str());
+  ImGui::TextColored(kFair, "%s", texts::format(texts::console::kLeftOut, leftOut).c_str());
 }
 
 }  // namespace
@@ -38,12 +39,12 @@ void RecordingPanel::drawLight(const ConsoleFrame& frame) const {
   const bool replay = frame.keys == KeysOf::replay;
   light(file_ ? kBad : kDim);
   ImGui::SameLine(0.0F, 4.0F);
-  words(file_    ? fmt::format(texts::console::kRecording, file_->filename().string())
-        : replay ? texts::console::kRecorded
-                 : texts::console::kNotRecorded);
+  words(file_    ? texts::format(texts::console::kRecording, file_->filename().string())
+        : replay ? texts::console::kRecorded.words()
+                 : texts::console::kNotRecorded.words());
   tip(file_    ? file_->string()
-      : replay ? texts::console::kRecordedSessionTip
-               : texts::console::kNotRecordedTip);
+      : replay ? texts::console::kRecordedSessionTip.words()
+               : texts::console::kNotRecordedTip.words());
 }
 
 void RecordingPanel::draw(const ConsoleFrame& frame) {
@@ -62,7 +63,7 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
       }
     }
     words(file_->string());
-    dim(fmt::format(texts::console::kFileSize, 1e-6 * static_cast<double>(bytes_), frame.record.number));
+    dim(texts::format(texts::console::kFileSize, 1e-6 * static_cast<double>(bytes_), frame.record.number));
   }
   const RecordingReport report = frame.recording.report();
   made(texts::console::kCapture, report.capture, report.captured, report.notCaptured,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/classroom/study_desk.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -17,7 +18,7 @@ void drawStandings(const std::vector<StudyStanding>& standings) {
   for (const StudyStanding& one : standings) {
     light(one.isUnwell ? kBad : one.isAsked ? kFair : one.isInRoom ? kGood : kDim);
     ImGui::SameLine();
-    words(fmt::format(texts::console::kStudyStanding, one.code, one.words));
+    words(texts::format(texts::console::kStudyStanding, one.code, one.words));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/frame/clock_time.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 #include "engine/spacetime/lorentz.h"
 
@@ -47,7 +48,7 @@ class Clocks {
 };
 
 /// Formats a time as the clocks in the room do.
-std::string shown(double time_s) { return fmt::format(texts::console::kClock, shownTime_s(time_s)); }
+std::string shown(double time_s) { return texts::format(texts::console::kClock, shownTime_s(time_s)); }
 
 void goTo(const ConsoleFrame& frame, double session_s) {
   frame.commands.emplace_back(Seek{std::max(session_s, 0.0)});
@@ -79,17 +80,18 @@ void SessionClocks::draw(const ConsoleFrame& frame, float width_px) const {
   for (std::size_t i = 0;
        i < std::min<std::size_t>(record.viewerCount, viewers_.size()) && record.viewerCount > 1; ++i)
     clocks.draw(viewers_[i].c_str(),
-                fmt::format(texts::console::kOwnTimeAndPace, shown(record.viewers[i].observer.properTime_s),
-                            paces_[i]),
+                texts::format(texts::console::kOwnTimeAndPace, shown(record.viewers[i].observer.properTime_s),
+                              paces_[i]),
                 texts::console::kOwnTimeTip);
   clocks.draw(texts::console::kTableTime, shown(record.viewers.front().observer.middle.observation.t_s),
               texts::console::kTableTimeTip);
-  clocks.draw(texts::console::kRoomSpeed,
-              platform < 1e-9 ? texts::console::kAtRest : fmt::format(texts::console::kSpeed3, platform),
-              texts::console::kRoomSpeedTip);
-  clocks.draw(texts::console::kObserverSpeed, fmt::format(texts::console::kSpeed2, person),
+  clocks.draw(
+      texts::console::kRoomSpeed,
+      platform < 1e-9 ? texts::console::kAtRest.words() : texts::format(texts::console::kSpeed3, platform),
+      texts::console::kRoomSpeedTip);
+  clocks.draw(texts::console::kObserverSpeed, texts::format(texts::console::kSpeed2, person),
               texts::console::kObserverSpeedTip);
-  clocks.draw(texts::console::kLight, fmt::format(texts::console::kLightSpeed, record.lightSpeed_m_s),
+  clocks.draw(texts::console::kLight, texts::format(texts::console::kLightSpeed, record.lightSpeed_m_s),
               texts::console::kLightTip);
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -38,9 +39,9 @@ const char* wordOf(TrackerHealth::State state) {
   return "";
 }
 
-void number(fmt::format_string<double&> format, double value) {
+void number(texts::CheckedText<double> format, double value) {
   ImGui::TableNextColumn();
-  if (std::isfinite(value)) words(fmt::format(format, value));
+  if (std::isfinite(value)) words(texts::format(format, value));
 }
 
 void drawReport(const TrackerReport& report) {
@@ -86,16 +87,21 @@ void drawTrackers(const ConsoleFrame& frame) {
     return;
   }
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg;
-  if (ImGui::BeginTable("##trackers", texts::console::kTrackerColumns.size(), kFlags)) {
-    for (const texts::console::Column& column : texts::console::kTrackerColumns) {
-      ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthFixed,
-                              column.width_em * ImGui::GetFontSize());
+  constexpr float kLightWidth_em = 1.2F;
+  constexpr std::array<float, texts::console::kTrackerColumns.size()> kWidths_em{8.0F, 5.0F, 7.5F, 5.0F, 5.0F,
+                                                                                 6.0F, 4.0F, 4.0F, 5.0F};
+  if (ImGui::BeginTable("##trackers", 1 + static_cast<int>(kWidths_em.size()), kFlags)) {
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, kLightWidth_em * ImGui::GetFontSize());
+    for (std::size_t i = 0; i < kWidths_em.size(); ++i) {
+      ImGui::TableSetupColumn(texts::console::kTrackerColumns[i], ImGuiTableColumnFlags_WidthFixed,
+                              kWidths_em[i] * ImGui::GetFontSize());
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (const texts::console::Column& column : texts::console::kTrackerColumns) {
+    ImGui::TableNextColumn();
+    for (std::size_t i = 0; i < kWidths_em.size(); ++i) {
       ImGui::TableNextColumn();
-      dim(column.name);
-      tip(column.tip);
+      dim(texts::console::kTrackerColumns[i]);
+      tip(texts::console::kTrackerColumnTips[i]);
     }
     for (const TrackerReport& report : frame.status.trackers) drawReport(report);
     ImGui::EndTable();
@@ -104,7 +110,7 @@ void drawTrackers(const ConsoleFrame& frame) {
     if (report.health.message.empty()) continue;
     ImGui::PushStyleColor(ImGuiCol_Text, colourOf(report));
     ImGui::TextWrapped(
-        "%s", fmt::format(texts::console::kTrackerMessage, report.name, report.health.message).c_str());
+        "%s", texts::format(texts::console::kTrackerMessage, report.name, report.health.message).c_str());
     ImGui::PopStyleColor();
   }
   for (const TrackerReport& report : frame.status.trackers) drawHead(report, frame.record.viewerCount > 1);

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <vtk_glew.h>
 
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom::console {
@@ -95,7 +96,7 @@ void WallsPanel::drawAbsent(const ConsoleFrame& frame, const Wall& wall, const I
   if (node >= nodes.size() || nodes[node].late.frames == 0) return;
   const double late_ms = std::max(0.0, 1e3 * static_cast<double>(nodes[node].late.p99_s));
   list.AddText({from.x + 8.0F, from.y + 8.0F + 2 * line_px}, ink,
-               fmt::format(texts::console::kLate, late_ms).c_str());
+               texts::format(texts::console::kLate, late_ms).c_str());
 }
 
 void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImVec2& size_px) {
@@ -111,8 +112,8 @@ void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImV
   if (cluster_.size() > 1) {
     const float width = ImGui::CalcTextSize(wall.name.c_str()).x;
     const std::string node = absent && picture
-                                 ? fmt::format(texts::console::kNodeDrawnHere, wall.node % cluster_.size())
-                                 : fmt::format(texts::console::kNodeOf, wall.node % cluster_.size());
+                                 ? texts::format(texts::console::kNodeDrawnHere, wall.node % cluster_.size())
+                                 : texts::format(texts::console::kNodeOf, wall.node % cluster_.size());
     list.AddText({from.x + width + 8.0F, corner.y}, ImGui::GetColorU32(kDim), node.c_str());
   }
   if (picture) {
@@ -127,9 +128,9 @@ void WallsPanel::drawTile(const ConsoleFrame& frame, const Wall& wall, const ImV
     drawAbsent(frame, wall, from, to);
   }
   ImGui::Dummy(size_px);
-  tip(fmt::format(texts::console::kWallTip, wall.name, wall.pixels.x, wall.pixels.y, toString(wall.stereo),
-                  cluster_.nameOf(wall.node % cluster_.size()),
-                  absent ? texts::console::kForMiddle : texts::console::kForLeftEye));
+  tip(texts::format(texts::console::kWallTip, wall.name, wall.pixels.x, wall.pixels.y, toString(wall.stereo),
+                    cluster_.nameOf(wall.node % cluster_.size()),
+                    absent ? texts::console::kForMiddle : texts::console::kForLeftEye));
 }
 
 /// Returns the number of columns for which a grid of all walls has the largest tiles.
@@ -159,10 +160,10 @@ void WallsPanel::drawMissing() const {
   for (const MissingNode& node : rig_.missing) {
     const std::string walls = node.walls.empty()
                                   ? std::string(texts::console::kNoWalls)
-                                  : fmt::format(texts::console::kMissingWalls, fmt::join(node.walls, ", "));
+                                  : texts::format(texts::console::kMissingWalls, fmt::join(node.walls, ", "));
     light(kBad);
     ImGui::SameLine(0.0F, 4.0F);
-    words(fmt::format(texts::console::kMissing, node.name, walls));
+    words(texts::format(texts::console::kMissing, node.name, walls));
     tip(texts::console::kMissingTip);
   }
 }

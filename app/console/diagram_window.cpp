@@ -7,7 +7,7 @@
 namespace carom {
 DiagramWindow::DiagramWindow(Graphics& graphics, const WindowPlacement& place, const Scenario& scenario,
                              std::vector<std::string> viewers)
-    : window_(graphics, texts::title::kDiagram, place), diagram_(scenario, std::move(viewers)) {}
+    : window_(graphics, texts::title::kDiagram.words(), place), diagram_(scenario, std::move(viewers)) {}
 
 void DiagramWindow::draw(const FrameRecord& record, const World& world) {
   diagram_.follow(record);

@@ -38,7 +38,7 @@ std::string_view nounOf(std::string_view text) {
   struct Noun {
     std::string_view word, several;
   };
-  constexpr std::array<Noun, 15> kNouns{{{"walls", "pairs of walls"},
+  constexpr std::array<Noun, 16> kNouns{{{"walls", "pairs of walls"},
                                          {"tiles", "pairs of tiles"},
                                          {"wall", "walls"},
                                          {"overlaps puck", "pairs of pucks"},
@@ -52,7 +52,8 @@ std::string_view nounOf(std::string_view text) {
                                          {"game", "games"},
                                          {"mesh", "meshes"},
                                          {"element", "elements"},
-                                         {"window", "windows"}}};
+                                         {"window", "windows"},
+                                         {"text", "texts"}}};
   for (const Noun& noun : kNouns) {
     if (text.find(fmt::format("{} '", noun.word)) != std::string_view::npos) return noun.several;
   }

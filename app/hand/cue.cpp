@@ -1,7 +1,5 @@
 #include "app/hand/cue.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -46,6 +44,15 @@ double sideOf(const Vec3& asideInRoom_m, const Vec2& u, const Lorentz& boardFrom
   return std::clamp(right_m, -kMostSide * radius_m, kMostSide * radius_m);
 }
 
+namespace {
+
+/// Returns the place of a device among kHandDevices.
+std::size_t numberOf(std::string_view device) {
+  return static_cast<std::size_t>(std::ranges::find(kHandDevices, device) - kHandDevices.begin());
+}
+
+}  // namespace
+
 Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool frozen) {
   if (frozen) return {{}, texts::message::kTimeStands};
   if (pointed.behind) return {{}, texts::message::kPuckBehind};
@@ -62,7 +69,7 @@ Cue::Outcome Cue::step(const HandInput& hand, const PickResult& pointed, bool fr
   if (!target_) return pressed && !wasPressed ? press(hand, pointed, frozen) : Outcome{};
   if (hand.device != device_) {
     target_.reset();
-    return {{}, fmt::format(texts::message::kDeviceLost, device_)};
+    return {{}, texts::message::kDeviceLost.at(numberOf(device_))};
   }
   if (frozen) {
     target_.reset();

@@ -46,7 +46,7 @@ class Cue {
   /// The result of one frame.
   struct Outcome {
     std::optional<std::size_t> letGo;  ///< the puck that is struck, with the last `pull_m`
-    std::string refused;               ///< message to the player why the action was refused; empty if none
+    texts::Saying refused;             ///< message to the player why the action was refused; empty if none
   };
 
   /// Advances the cue by one frame. `frozen` means that the viewer's time is frozen, in which no stroke is

@@ -10,6 +10,7 @@
 
 #include "app/operator/visitor_choices.h"
 #include "cave/texts/key_names.h"
+#include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
 #include "engine/base/log.h"
@@ -95,12 +96,21 @@ Command choose(const OperatorSettings& now, const Pressed&) {
   return commandOf(choice, now);
 }
 
+/// What is printed on a key: signs, or a word of the catalogue; nothing: its letter or digit.
+struct KeyLabel {
+  constexpr KeyLabel(const char* printed) : signs(printed) {}        // NOLINT(google-explicit-constructor)
+  constexpr KeyLabel(const texts::Text& printed) : word(printed) {}  // NOLINT(google-explicit-constructor)
+
+  const char* signs = nullptr;
+  texts::Text word;
+};
+
 struct Key {
-  int key;            // GLFW key code
-  int otherKey;       // second key with the same effect; 0 if none
-  const char* label;  // null: the letter or digit itself
+  int key;       // GLFW key code
+  int otherKey;  // second key with the same effect; 0 if none
+  KeyLabel label;
   unsigned where;
-  const char* does;  // null if described by the previous line
+  texts::Text does;  // none: described by the previous line
   Command (*command)(const OperatorSettings&, const Pressed&);
 };
 
@@ -108,12 +118,12 @@ struct Key {
 template <std::size_t... row>
 constexpr auto effectKeys(std::index_sequence<row...>) {
   return std::array{
-      Key{kNamedSwitches[row].key, 0, {}, kWithGame, kNamedSwitches[row].words, turnSwitch<row>}...};
+      Key{kNamedSwitches[row].key, 0, nullptr, kWithGame, kNamedSwitches[row].words, turnSwitch<row>}...};
 }
 template <std::size_t... row>
 constexpr auto rightEffectKeys(std::index_sequence<row...>) {
-  return std::array{Key{
-      kNamedSwitches[row].rightKey, 0, {}, kWithGame, kNamedSwitches[row].rightWords, turnBeside<row>}...};
+  return std::array{Key{kNamedSwitches[row].rightKey, 0, nullptr, kWithGame, kNamedSwitches[row].rightWords,
+                        turnBeside<row>}...};
 }
 template <std::size_t... row>
 constexpr auto viewKeys(std::index_sequence<row...>) {
@@ -127,14 +137,18 @@ constexpr auto kViewKeys = viewKeys(std::make_index_sequence<kNamedViews.size()>
 
 constexpr std::array kOtherKeys{
     Key{GLFW_KEY_LEFT_BRACKET, 0, "[ ]", kInSession, texts::keys::kLight, setLightSpeed<-1>},
-    Key{GLFW_KEY_RIGHT_BRACKET, 0, "]", kInSession, nullptr, setLightSpeed<1>},
+    Key{GLFW_KEY_RIGHT_BRACKET, 0, "]", kInSession, {}, setLightSpeed<1>},
     Key{GLFW_KEY_SPACE, 0, texts::keys::kSpaceKey, kInReplay, texts::keys::kPause,
         [](const OperatorSettings& now, const Pressed&) -> Command { return Pause{!now.playback.paused}; }},
     Key{GLFW_KEY_LEFT, 0, "← →", kInReplay, texts::keys::kSecond,
         [](const OperatorSettings&, const Pressed& pressed) -> Command {
           return goTo(pressed.now_s - kScrub_s);
         }},
-    Key{GLFW_KEY_RIGHT, 0, "→", kInReplay, nullptr,
+    Key{GLFW_KEY_RIGHT,
+        0,
+        "→",
+        kInReplay,
+        {},
         [](const OperatorSettings&, const Pressed& pressed) -> Command {
           return goTo(pressed.now_s + kScrub_s);
         }},
@@ -142,7 +156,11 @@ constexpr std::array kOtherKeys{
         [](const OperatorSettings& now, const Pressed&) -> Command {
           return setRate(2.0 * now.playback.rate);
         }},
-    Key{GLFW_KEY_DOWN, 0, "↓", kInReplay, nullptr,
+    Key{GLFW_KEY_DOWN,
+        0,
+        "↓",
+        kInReplay,
+        {},
         [](const OperatorSettings& now, const Pressed&) -> Command {
           return setRate(0.5 * now.playback.rate);
         }},
@@ -153,8 +171,8 @@ constexpr std::array kOtherKeys{
     Key{GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER, texts::keys::kEnterKey, kInSession, texts::keys::kOnwards,
         [](const OperatorSettings&, const Pressed&) -> Command { return AdvanceLesson{}; }},
     Key{GLFW_KEY_F2, 0, texts::keys::kVelocityKeys, kInSession, texts::keys::kVelocities, chooseInLesson<1>},
-    Key{GLFW_KEY_F3, 0, "F3", kInSession, nullptr, chooseInLesson<2>},
-    Key{GLFW_KEY_F4, 0, "F4", kInSession, nullptr, chooseInLesson<3>},
+    Key{GLFW_KEY_F3, 0, "F3", kInSession, {}, chooseInLesson<2>},
+    Key{GLFW_KEY_F4, 0, "F4", kInSession, {}, chooseInLesson<3>},
     Key{GLFW_KEY_Y, 0, "Y", kInSession, texts::keys::kRestart,
         [](const OperatorSettings& now, const Pressed&) -> Command { return PlayScenario{now.playing}; }},
     Key{GLFW_KEY_F5, 0, "F5", kInSession, texts::keys::kShowMe, choose<Choice::showMe>},
@@ -171,7 +189,7 @@ constexpr std::array kOtherKeys{
     Key{GLFW_KEY_X, 0, "X", kEverywhere, texts::keys::kSwapEyes, turnWalls<&WallControls::eyesSwapped>},
     Key{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD, "+ -", kInSession, texts::keys::kEyesApart,  // + without Shift is =
         setEyesApart<1>},
-    Key{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT, "-", kInSession, nullptr, setEyesApart<-1>},
+    Key{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT, "-", kInSession, {}, setEyesApart<-1>},
     Key{GLFW_KEY_K, 0, "K", kInSession, texts::keys::kSensors, turnWalls<&WallControls::trackerCross>},
     Key{GLFW_KEY_J, 0, "J", kInSession, texts::keys::kComfort, turnWalls<&WallControls::comfort>},
     Key{GLFW_KEY_L, 0, "L", kEverywhere, texts::keys::kLatency, turnWalls<&WallControls::latency>},
@@ -180,7 +198,11 @@ constexpr std::array kOtherKeys{
           if (now.console == ConsoleState::none) return TellPerson{texts::message::kNoConsole};
           return ShowConsole{now.console != ConsoleState::shown};
         }},
-    Key{GLFW_KEY_H, GLFW_KEY_F1, "H", kEverywhere, nullptr,
+    Key{GLFW_KEY_H,
+        GLFW_KEY_F1,
+        "H",
+        kEverywhere,
+        {},
         [](const OperatorSettings& now, const Pressed&) -> Command { return ShowKeys{!now.keysShown}; }},
 };
 
@@ -195,8 +217,9 @@ const std::vector<Key> kKeys = [] {
 
 /// Returns the names of a key, or of the keys that a line tells of together, as the keyboard has them.
 std::string labelOf(const Key& key) {
+  if (key.label.word) return key.label.word.words();
   const char letter = static_cast<char>(key.key);
-  return texts::inLayout(key.label ? std::string_view(key.label) : std::string_view(&letter, 1));
+  return texts::inLayout(key.label.signs ? std::string_view(key.label.signs) : std::string_view(&letter, 1));
 }
 
 bool means(const Key& key, KeysOf place) { return (key.where & (1U << static_cast<unsigned>(place))) != 0; }
@@ -256,24 +279,27 @@ Commands commandsOf(const WindowInput& input, KeysOf place, double now_s, const 
 
 std::vector<KeyLine> keyMap(KeysOf place) {
   std::vector<KeyLine> lines;
+  const auto add = [&lines](std::string_view keys, const texts::Text& does) {
+    lines.push_back({std::string(keys), does.words()});
+  };
   for (const Key& key : kKeys) {
-    if (means(key, place) && key.does) lines.push_back({labelOf(key), key.does});
+    if (means(key, place) && key.does) add(labelOf(key), key.does);
   }
   if (place == KeysOf::dryRun) {
-    lines.push_back({"← ↑ → ↓", texts::keys::kWalk});
-    lines.push_back({texts::keys::kPageKeys, texts::keys::kHeadHeight});
-    lines.push_back({texts::keys::kLookKeys, texts::keys::kLook});
+    add("← ↑ → ↓", texts::keys::kWalk);
+    add(texts::keys::kPageKeys, texts::keys::kHeadHeight);
+    add(texts::keys::kLookKeys, texts::keys::kLook);
   }
   if (isLive(place)) {
-    lines.push_back({texts::inLayout("W A S D"), texts::keys::kSteer});
-    lines.push_back({texts::keys::kSpaceKey, texts::keys::kBrake});
-    lines.push_back({texts::keys::kHomeKey, texts::keys::kHome});
-    lines.push_back({texts::keys::kMouse, texts::keys::kStrike});
-    lines.push_back({texts::keys::kRightButton, texts::keys::kTurn});
-    lines.push_back({texts::keys::kAnswerKeys, texts::keys::kAnswer});
+    add(texts::inLayout("W A S D"), texts::keys::kSteer);
+    add(texts::keys::kSpaceKey, texts::keys::kBrake);
+    add(texts::keys::kHomeKey, texts::keys::kHome);
+    add(texts::keys::kMouse, texts::keys::kStrike);
+    add(texts::keys::kRightButton, texts::keys::kTurn);
+    add(texts::keys::kAnswerKeys, texts::keys::kAnswer);
   }
-  lines.push_back({texts::inLayout("H"), texts::keys::kList});
-  lines.push_back({texts::inLayout(texts::keys::kQuitKeys), texts::keys::kQuit});
+  add(texts::inLayout("H"), texts::keys::kList);
+  add(texts::inLayout(texts::keys::kQuitKeys), texts::keys::kQuit);
   return lines;
 }
 
@@ -289,13 +315,14 @@ KeyLine keyFor(KeysOf place, std::string_view what) {
   const OperatorSettings any;
   for (const Key& key : kKeys) {
     if (means(key, place) && key.does && nameOf(key.command(any, {place, 0.0})) == what)
-      return {labelOf(key), key.does};
+      return {labelOf(key), key.does.words()};
   }
   return {};
 }
 
 void sayKeys(KeysOf place) {
   std::string all;
+  const texts::InLanguage english(nullptr);
   for (const KeyLine& line : keyMap(place)) all += (all.empty() ? "" : ", ") + line.keys + " " + line.does;
   log::note(fmt::format("Keys: {}.", all));
 }

@@ -64,7 +64,10 @@ class RowWriter {
   template <typename Choice>
   requires std::is_enum_v<Choice>
   void operator()(const ColumnName&, Choice value) { row_.bind(parameter_++, static_cast<int>(value)); }
-  void operator()(const ColumnName&, const Notice& notice) { (*this)("", std::string(notice.words())); }
+  template <std::size_t bytes>
+  void operator()(const ColumnName&, const ShortText<bytes>& text) {
+    (*this)("", std::string(text.words()));
+  }
   void operator()(const ColumnName&, const std::string& text) { row_.bind(parameter_++, text); }
 
  private:
@@ -100,12 +103,13 @@ class RowReader {
     (*this)(name, number);
     value = static_cast<Choice>(number);
   }
-  void operator()(const ColumnName& name, Notice& notice) {
+  template <std::size_t bytes>
+  void operator()(const ColumnName& name, ShortText<bytes>& text) {
     const std::string words = row_.getColumn(column_++).getString();
-    notice = Notice(words);
-    if (notice.words() != words)
+    text = ShortText<bytes>(words);
+    if (text.words() != words)
       throw std::runtime_error(fmt::format("{} is of {} bytes, expected at most {} and none zero",
-                                           name.text(), words.size(), notice.text.size() - 1));
+                                           name.text(), words.size(), bytes - 1));
   }
 
  private:

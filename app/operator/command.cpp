@@ -147,7 +147,7 @@ struct ValueOf {
   std::string operator()(const SetLanguage& c) {
     return settings.languages ? settings.languages->all.at(c.language) : std::string(kEnglish);
   }
-  std::string operator()(const TellPerson& c) { return c.words; }
+  std::string operator()(const TellPerson& c) { return c.words.english(); }
   std::string operator()(const SetLinked& c) { return onOrOff(c.on); }
   std::string operator()(const Pause& c) { return c.on ? "paused" : "goes on"; }
   std::string operator()(const SetRate& c) { return fmt::format("{:g}", c.rate); }

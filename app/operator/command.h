@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/operator/operator_settings.h"
+#include "cave/texts/saying.h"
 
 namespace carom {
 
@@ -97,7 +98,7 @@ struct SetLanguage {
 };
 /// Tells the person in the room why what they asked for is not done.
 struct TellPerson {
-  std::string words;
+  texts::Saying words;
   bool operator==(const TellPerson&) const = default;
 };
 /// Leaves the game with the other room, or lets it be joined again.

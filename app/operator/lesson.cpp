@@ -82,7 +82,7 @@ bool choose(OperatorSettings& settings, int choice) {
 }
 
 std::string answerText(const LessonWords& words, const LessonState& state) {
-  return state.answer == 0 || state.answer > words.answers.size() ? texts::lesson::kSkipped
+  return state.answer == 0 || state.answer > words.answers.size() ? texts::lesson::kSkipped.english()
                                                                   : words.answers[state.answer - 1U];
 }
 

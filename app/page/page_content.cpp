@@ -16,7 +16,7 @@
 #include "cave/gl/view_colours.h"
 #include "cave/render/body_shaders.h"
 #include "cave/room/wall_eyes.h"
-#include "cave/texts/page_texts.h"
+#include "cave/texts/texts.h"
 #include "engine/light/spin_steps.h"
 
 namespace carom {
@@ -229,7 +229,7 @@ Json eventsOf(const Visit& visit) {
 
 Json textsOf() {
   Json texts;
-  for (const texts::page::PageText& text : texts::page::kScript) texts[text.name] = text.words;
+  for (const auto& [name, words] : texts::pageWords("page")) texts[name] = words;
   return texts;
 }
 

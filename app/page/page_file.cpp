@@ -9,7 +9,6 @@
 #include "app/page/still_picture.h"
 #include "app/tables/html_text.h"
 #include "cave/frame/bodies.h"
-#include "cave/texts/page_texts.h"
 #include "cave/texts/texts.h"
 #include "pages/controls_js.h"
 #include "pages/data_js.h"
@@ -66,7 +65,7 @@ bool canMakePages() {
 std::string pageOf(const Visit& visit, const Scene& scene) {
   const std::string engine = engineLetters(), content = lettersOf(pageContent(visit, scene));
   PageWords words{{"title", htmlOf(visit.scenario.title)},
-                  {"language", texts::kLanguage},
+                  {"language", texts::languageCode()},
                   {"style", pages::visit_css},
                   {"reaches", visit.live ? "'self'" : "'none'"},
                   {"script", std::string("\"use strict\";\n(() => {\n") + pages::engine_js + pages::data_js +
@@ -77,8 +76,7 @@ std::string pageOf(const Visit& visit, const Scene& scene) {
                   {"engineLength", std::to_string(engine.size())},
                   {"visit", content},
                   {"visitLength", std::to_string(content.size())}};
-  for (const texts::page::PageText& text : texts::page::kPage) words[text.name] = htmlOf(text.words);
-  for (const texts::page::PageText& text : texts::page::kScript) words[text.name] = htmlOf(text.words);
+  for (const auto& [name, text] : texts::pageWords("page")) words[name] = htmlOf(text);
   return filled(pages::visit_html, words);
 }
 

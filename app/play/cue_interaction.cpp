@@ -9,7 +9,7 @@
 
 #include "cave/frame/bodies.h"
 #include "cave/scene/scene.h"
-#include "cave/texts/texts.h"
+#include "cave/texts/saying.h"
 #include "engine/base/log.h"
 #include "engine/light/light_path.h"
 
@@ -31,11 +31,11 @@ Event handEvent(const Vec3& handInRoom_m, const SeenFrame& seen) {
 namespace {
 
 /// Returns ", 8 mm right of its centre"; empty for a stroke at the centre.
-std::string sideText(double offset_m) {
-  if (offset_m == 0.0) return "";
+texts::Saying sideText(double offset_m) {
+  if (offset_m == 0.0) return {};
   const double aside_mm = 1e3 * std::abs(offset_m);
-  return offset_m > 0.0 ? fmt::format(texts::message::kRightOfCentre, aside_mm)
-                        : fmt::format(texts::message::kLeftOfCentre, aside_mm);
+  return offset_m > 0.0 ? texts::say(texts::message::kRightOfCentre, aside_mm)
+                        : texts::say(texts::message::kLeftOfCentre, aside_mm);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
   }
   own.hand = viewOf(hand, pointed, game, seen);
   if (cue.letGo) return strike(*cue.letGo, hand, game, seen, promises);
-  return {{}, {}, cue.refused.empty() ? std::string(hand.refused) : cue.refused};
+  return {{}, {}, cue.refused.empty() ? texts::Saying(hand.refused) : cue.refused};
 }
 
 /// Returns whether the hand points into the ring around a puck as it is seen.
@@ -143,12 +143,12 @@ CueInteraction::Outcome CueInteraction::strike(std::size_t puck, const HandInput
     const Event back = lightMeets(arrival, seen.self.observer.middle.observation,
                                   betaFromU(seen.self.observer.headFromBoard.inverse().u()), c_m_s);
     return {stroke, arrival.t_s,
-            fmt::format(texts::message::kStroke, target.name, passes_s(from, arrival),
-                        passes_s(arrival, back), sideText(stroke.offset_m)),
+            texts::say(texts::message::kStroke, target.name, passes_s(from, arrival), passes_s(arrival, back),
+                       sideText(stroke.offset_m)),
             isPutOff};
   } catch (const std::invalid_argument& error) {
     log::note(error.what());
-    return {{}, {}, fmt::format(texts::message::kOutOfReach, target.name)};
+    return {{}, {}, texts::say(texts::message::kOutOfReach, target.name)};
   }
 }
 

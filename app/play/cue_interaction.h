@@ -31,7 +31,7 @@ class CueInteraction {
   struct Outcome {
     std::optional<Stroke> stroke;  ///< accepted by the game
     double arrives_s = 0.0;        ///< board time at which the stroke reaches the puck
-    std::string said;              ///< message to the viewer; empty if none
+    texts::Saying said;            ///< message to the viewer; empty if none
     bool isPutOff = false;         ///< later than the hand, to keep a promise
   };
 

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/frame/bodies.h"
+#include "cave/texts/saying.h"
 #include "cave/texts/texts.h"
 #include "devices/force/shown_mass.h"
 #include "devices/setup/force_factory.h"
@@ -32,16 +33,15 @@ void HandForce::play(const BilliardSetup& game) {
   if (std::exchange(saidStiffness_, true)) return;
   const std::string lowered = loweredStiffness(setup_);
   if (!lowered.empty()) log::warn(lowered);
-  if (!lowered.empty())
-    notes_.push_back({"force stiffness", std::string(texts::message::kForceLowered), true});
+  if (!lowered.empty()) tell("force stiffness", texts::message::kForceLowered);
 }
 
 /// Returns whether the hand that aims is the one at the device. A simulated device is in whatever hand there
 /// is; the stick of a gamepad may be an input device with force.
 bool HandForce::isFelt(const HandInput& hand) const {
   if (setup_.kind == ForceKind::simulated) return !hand.device.empty();
-  const bool isPad = setup_.kind == ForceKind::evdev && hand.device == texts::kGamepad;
-  return hand.device == texts::kWand || isPad;
+  const bool isPad = setup_.kind == ForceKind::evdev && hand.device == kHandGamepad;
+  return hand.device == kHandWand || isPad;
 }
 
 void HandForce::draw(HandInput& hand) {
@@ -92,6 +92,11 @@ void HandForce::post(const HandInput& hand, bool buttonHeld, const std::optional
   noteHeld(holding, law.held);
 }
 
+/// Notes something that is said in the room, too.
+void HandForce::tell(std::string_view what, const texts::Saying& said) {
+  notes_.push_back({what, said.english(), said});
+}
+
 /// Notes draws that begin and end, falls, and news of the device.
 void HandForce::note(const HandView& view) {
   const ForceReport& report = channel_->report();
@@ -100,7 +105,7 @@ void HandForce::note(const HandView& view) {
     notes_.push_back({"force draw", fmt::format("begun, 1 N here is {:.3g} N", 1.0 / laws_->scale())});
   wasPulling_ = view.pulling != 0;
   if (report.falls != falls_)
-    notes_.push_back({"force off", fmt::format(texts::message::kForceOff, toString(report.fall)), true});
+    tell("force off", texts::say(texts::message::kForceOff, std::string_view(toString(report.fall))));
   falls_ = report.falls;
   for (const std::string& line : channel_->takeNews()) {
     log::note(line);
@@ -130,10 +135,8 @@ void HandForce::noteHeld(const std::optional<Holding>& holding, bool isHeld) {
   const double beta = glm::length(holding->betaInRoom), gamma = 1.0 / std::sqrt(1.0 - beta * beta);
   const double across_kg = gamma * holding->mass_kg, along_kg = gamma * gamma * across_kg;
   const bool isHidden = ShownMass::isHidden(along_kg, laws_->held(holding->mass_kg, {}).puck.stiffness_n_m);
-  notes_.push_back({"force mass",
-                    isHidden ? fmt::format(texts::message::kHiddenMass, beta, along_kg, across_kg)
-                             : fmt::format(texts::message::kFeltMass, felt_kg, beta, along_kg, across_kg),
-                    true});
+  tell("force mass", isHidden ? texts::say(texts::message::kHiddenMass, beta, along_kg, across_kg)
+                              : texts::say(texts::message::kFeltMass, felt_kg, beta, along_kg, across_kg));
 }
 
 void HandForce::see(std::span<const GameEvent> events, const FrameRecord& record, std::size_t viewer) {

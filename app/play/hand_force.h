@@ -23,7 +23,7 @@ namespace carom {
 struct ForceNote {
   std::string_view what;  ///< with static lifetime
   std::string value;
-  bool isForPeople = false;  ///< it is said in the room, too
+  texts::Saying said = {};  ///< in the room, too; empty: nothing is said
 };
 
 class HandForce {
@@ -60,6 +60,7 @@ class HandForce {
   std::vector<ForceNote> finish();
 
  private:
+  void tell(std::string_view what, const texts::Saying& said);
   void note(const HandView& view);
   void noteHeld(const std::optional<Holding>& holding, bool isHeld);
   bool isFelt(const HandInput& hand) const;

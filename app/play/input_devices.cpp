@@ -166,7 +166,7 @@ HandInput InputDevices::cue(const HandDevices& devices, const ObserverView& obse
   const std::optional<Device> device = aiming(hands, now_s);
   if (!device) return input;
   const Hand& hand = hands[*device];
-  input.device = texts::kDevices[*device];
+  input.device = kHandDevices[*device];
   input.from_m = hand.from_m;
   input.along = hand.along;
   input.eye = hand.eye;

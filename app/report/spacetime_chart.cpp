@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cave/frame/body_colour.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -111,7 +112,7 @@ void setRanges(Chart& chart, double c_m_s, const Period& span, double half_m, co
 
 void addCushions(Chart& chart, double half_m) {
   for (const double side : {-half_m, half_m}) {
-    chart.lines.push_back({side < 0 ? texts::diagram::kCushions : "",
+    chart.lines.push_back({side < 0 ? texts::diagram::kCushions.words() : "",
                            {{side, chart.yRange.x}, {side, chart.yRange.y}},
                            glm::vec3(0.6F),
                            5.0F,
@@ -149,12 +150,14 @@ void addSoftSides(Chart& chart, const DiagramSubject& subject, const Plane& plan
 void addMyAxes(Chart& chart, const glm::dvec2& here, double beta) {
   using Style = ChartLine::Style;
   const glm::vec3 light(0.9F, 0.55F, 0.0F), mine(0.1F, 0.2F, 0.7F);
-  chart.lines.push_back(through(here, {1.0, 1.0}, texts::diagram::kLightCone, light, Style::dashed, 1.5F));
+  chart.lines.push_back(
+      through(here, {1.0, 1.0}, texts::diagram::kLightCone.words(), light, Style::dashed, 1.5F));
   chart.lines.push_back(through(here, {-1.0, 1.0}, "", light, Style::dashed, 1.5F));
   const double shown = std::abs(beta) < 0.005 ? 0.0 : beta;  // not "-0.00 c"
   chart.lines.push_back(
-      through(here, {beta, 1.0}, fmt::format(texts::diagram::kTimeAxis, shown), mine, Style::dotted, 2.0F));
-  chart.lines.push_back(through(here, {1.0, beta}, texts::diagram::kSimultaneity, mine, Style::dashed, 2.0F));
+      through(here, {beta, 1.0}, texts::format(texts::diagram::kTimeAxis, shown), mine, Style::dotted, 2.0F));
+  chart.lines.push_back(
+      through(here, {1.0, beta}, texts::diagram::kSimultaneity.words(), mine, Style::dashed, 2.0F));
 }
 
 /// Adds a flash with its name and its light.
@@ -166,11 +169,11 @@ void addFlash(Chart& chart, const std::string& name, const glm::dvec2& at, const
                          1.0F,
                          ChartLine::Style::solid});
   chart.lines.push_back(
-      {fmt::format(texts::diagram::kFlash, name), {at}, colour, 9.0F, ChartLine::Style::marks});
+      {texts::format(texts::diagram::kFlash, name), {at}, colour, 9.0F, ChartLine::Style::marks});
 }
 
 void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, const Period& span) {
-  ChartLine happened{texts::diagram::kEvents, {}, glm::vec3(0.35F), 6.0F, ChartLine::Style::marks};
+  ChartLine happened{texts::diagram::kEvents.words(), {}, glm::vec3(0.35F), 6.0F, ChartLine::Style::marks};
   std::size_t flashes = 0;
   for (const GameEvent& event : subject.events) {
     if (event.at.t_s < span.from_s || event.at.t_s > span.until_s) continue;
@@ -186,7 +189,7 @@ void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, 
 
 /// Adds my world line, from the last event below the lower edge on.
 void addMe(Chart& chart, const DiagramSubject& subject, const Plane& plane, double from_s) {
-  ChartLine me{texts::diagram::kMe, {}, glm::vec3(0.0F), 3.5F, ChartLine::Style::solid};
+  ChartLine me{texts::diagram::kMe.words(), {}, glm::vec3(0.0F), 3.5F, ChartLine::Style::solid};
   for (std::size_t i = 0; i < subject.mine.size(); ++i) {
     if (i + 1 == subject.mine.size() || subject.mine[i + 1].t_s >= from_s)
       me.points.push_back(plane(subject.mine[i]));
@@ -215,7 +218,7 @@ void addOthers(Chart& chart, std::span<const OtherObserver> others, std::size_t 
     const glm::dvec2 here = plane(other.line.back());
     chart.lines.push_back({"", {here}, colour, 10.0F, Style::marks});
     chart.lines.push_back(through(here, {1.0, plane.along(other.beta)},
-                                  fmt::format(texts::diagram::kSimultaneityOf, other.name), colour,
+                                  texts::format(texts::diagram::kSimultaneityOf, other.name), colour,
                                   Style::dashed, 2.0F));
   }
 }
@@ -290,8 +293,8 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   const double until_s = present.t_s + kFuture * (present.t_s - from_s);
 
   Chart chart;
-  chart.title = fmt::format(texts::diagram::kTitle, subject.title, subject.c_m_s);
-  chart.xTitle = fmt::format(texts::diagram::kAcross, frame.along);
+  chart.title = texts::format(texts::diagram::kTitle, subject.title, subject.c_m_s);
+  chart.xTitle = texts::format(texts::diagram::kAcross, frame.along);
   chart.yTitle = texts::diagram::kUpwards;
   const double half_m = halfExtent_m(subject, frame.along);
   const Period span{from_s, until_s};

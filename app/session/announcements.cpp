@@ -1,10 +1,9 @@
 #include "app/session/announcements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
+#include "cave/texts/saying.h"
 #include "cave/texts/texts.h"
 #include "engine/base/log.h"
 
@@ -12,11 +11,11 @@ namespace carom {
 namespace {
 
 /// Returns the message about effects and views that commands have just turned on or off, or nothing.
-std::string changesBy(std::span<const Command> commands) {
-  std::string all;
-  const auto say = [&all](texts::Text name, bool on) {
-    all += all.empty() ? "" : "    ";
-    all += on ? fmt::format(texts::message::kTurnedOn, name) : fmt::format(texts::message::kTurnedOff, name);
+texts::Saying changesBy(std::span<const Command> commands) {
+  texts::Saying all;
+  const auto say = [&all](const texts::Text& name, bool on) {
+    if (!all.empty()) all += texts::Saying("    ");
+    all += on ? texts::say(texts::message::kTurnedOn, name) : texts::say(texts::message::kTurnedOff, name);
   };
   for (const Command& command : commands) {
     const auto* turned = std::get_if<SetSwitch>(&command);
@@ -41,30 +40,30 @@ Announcements::Announcements(const Rig& rig, const Scenario& scenario,
 
 void Announcements::play() {
   messages_ = {};
-  kept_.clear();
+  kept_ = {};
   captions_ = 0;
   saidWhyStill_ = false;
   effects_.reset();
 }
 
-void Announcements::say(std::string_view words, Decision& decision) {
+void Announcements::say(const texts::Saying& words, Decision& decision) {
   if (words.empty()) return;
-  log::note(words);
+  log::note(words.english());
   for (StatusMessage& message : messages_) message.say(words, decision.frame.record.display_s);
-  decision.notes.push_back({"notice", std::string(words)});
+  decision.notes.push_back({"notice", words.english()});
 }
 
-void Announcements::sayTo(std::size_t viewer, std::string_view words, Decision& decision) {
+void Announcements::sayTo(std::size_t viewer, const texts::Saying& words, Decision& decision) {
   if (words.empty()) return;
-  log::note(words);
+  log::note(words.english());
   messages_[viewer].say(words, decision.frame.record.display_s);
-  decision.notes.push_back({"notice", std::string(words), viewer});
+  decision.notes.push_back({"notice", words.english(), viewer});
 }
 
 void Announcements::tellEffects(std::span<const Command> commands, Decision& decision) {
   FrameRecord& record = decision.frame.record;
   const bool byCaption = std::exchange(captionTurnsEffects_, false);  // whose sentence tells of it
-  const std::string changes = byCaption ? std::string() : changesBy(commands);
+  const texts::Saying changes = byCaption ? texts::Saying() : changesBy(commands);
   if (!changes.empty() && effects_) {
     std::tie(record.switches, record.views.beside) = *effects_;
     pending_ = changes;
@@ -74,11 +73,11 @@ void Announcements::tellEffects(std::span<const Command> commands, Decision& dec
 }
 
 void Announcements::tellCarom(std::size_t viewer, std::size_t cushions, Decision& decision) {
-  if (rig_.viewers.size() == 1) return say(fmt::format(texts::message::kCarom, cushions), decision);
+  if (rig_.viewers.size() == 1) return say(texts::say(texts::message::kCarom, cushions), decision);
   for (std::size_t reader = 0; reader < rig_.viewers.size(); ++reader) {
     sayTo(reader,
-          reader == viewer ? fmt::format(texts::message::kCarom, cushions)
-                           : fmt::format(texts::message::kCaromOf, rig_.viewers[viewer].name, cushions),
+          reader == viewer ? texts::say(texts::message::kCarom, cushions)
+                           : texts::say(texts::message::kCaromOf, rig_.viewers[viewer].name, cushions),
           decision);
   }
 }
@@ -86,15 +85,15 @@ void Announcements::tellCarom(std::size_t viewer, std::size_t cushions, Decision
 void Announcements::tellWhoSawFirst(std::span<const HitSeen::Seen> seen, Decision& decision) {
   for (std::size_t reader = 0; reader < rig_.viewers.size(); ++reader) {
     const auto nameOf = [&](std::size_t viewer) {
-      return viewer == reader ? std::string(texts::legend::kMe) : rig_.viewers[viewer].name;
+      return viewer == reader ? texts::Saying(texts::legend::kMe) : texts::Saying(rig_.viewers[viewer].name);
     };
     const std::size_t first = seen.front().viewer;
-    std::string words = first == reader ? std::string(texts::message::kYouSawHitFirst)
-                                        : fmt::format(texts::message::kSawHitFirst, nameOf(first));
+    texts::Saying words = first == reader ? texts::Saying(texts::message::kYouSawHitFirst)
+                                          : texts::say(texts::message::kSawHitFirst, nameOf(first));
     for (const HitSeen::Seen& later : seen.subspan(1)) {
       const double later_s = later.room_s - seen.front().room_s;
-      words += fmt::format(texts::message::kSawHitLater, nameOf(later.viewer), later_s,
-                           later_s * scenario_.billiard.lightSpeed_m_s);
+      words += texts::say(texts::message::kSawHitLater, nameOf(later.viewer), later_s,
+                          later_s * scenario_.billiard.lightSpeed_m_s);
     }
     sayTo(reader, words, decision);
   }
@@ -102,10 +101,12 @@ void Announcements::tellWhoSawFirst(std::span<const HitSeen::Seen> seen, Decisio
 
 void Announcements::tellWhoseShot(std::size_t striker, std::size_t cushions, bool isEnd, Decision& decision) {
   for (std::size_t reader = 0; reader < rig_.viewers.size(); ++reader) {
-    const std::string words =
-        reader == striker ? fmt::format(texts::message::kBestShot, cushions)
-                          : fmt::format(texts::message::kBestShotOf, rig_.viewers[striker].name, cushions);
-    sayTo(reader, isEnd ? fmt::format(texts::message::kLastShot, words) : words + texts::message::kBackToGame,
+    const texts::Saying words =
+        reader == striker ? texts::say(texts::message::kBestShot, cushions)
+                          : texts::say(texts::message::kBestShotOf, rig_.viewers[striker].name, cushions);
+    sayTo(reader,
+          isEnd ? texts::say(texts::message::kLastShot, words)
+                : words + texts::Saying(texts::message::kBackToGame),
           decision);
   }
 }
@@ -121,7 +122,7 @@ void Announcements::tellWhyStill(bool asked, bool frozen, Decision& decision) {
 void Announcements::tellWhoLeft(const Viewers& viewers, Decision& decision) {
   for (std::size_t viewer = 0; viewer < boundaries_.size(); ++viewer) {
     if (const Wall* left = boundaries_[viewer].look(viewers.head(viewer).pose.position_m))
-      sayTo(viewer, fmt::format(texts::message::kLeftRoom, left->name), decision);
+      sayTo(viewer, texts::say(texts::message::kLeftRoom, left->name), decision);
   }
 }
 
@@ -131,7 +132,7 @@ void Announcements::putInto(Decision& decision) {
   for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer)
     record.viewers[viewer].notice = messages_[viewer].at(record.display_s);
   for (ViewerState& viewer : record.present())
-    if (viewer.notice.words().empty()) viewer.notice = Notice(kept_);
+    if (viewer.notice.empty()) viewer.notice = kept_;
   const double own_s = record.viewers.front().observer.properTime_s;
   beginCaptions(own_s, decision);
   if (captions_ == 0) return;
@@ -139,7 +140,7 @@ void Announcements::putInto(Decision& decision) {
   if (own_s >= latest.from_s + latest.for_s) return;
   for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {
     Notice& notice = record.viewers[viewer].notice;
-    if (notice.words().empty()) notice = Notice(rig_.viewers[viewer].hand ? latest.handText : latest.text);
+    if (notice.empty()) notice = Notice(rig_.viewers[viewer].hand ? latest.handText : latest.text);
   }
 }
 

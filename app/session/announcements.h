@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -31,15 +29,15 @@ class Announcements {
   void play();
 
   /// Shows a message with the next frame.
-  void later(const std::string& words) { pending_ = words; }
+  void later(const texts::Saying& words) { pending_ = words; }
 
   /// Shows a message to everybody in the room and notes it in the decision.
-  void say(std::string_view words, Decision& decision);
+  void say(const texts::Saying& words, Decision& decision);
   /// Does the same for one viewer alone.
-  void sayTo(std::size_t viewer, std::string_view words, Decision& decision);
+  void sayTo(std::size_t viewer, const texts::Saying& words, Decision& decision);
 
   /// Keeps these words on the walls while there is nothing else to say: a task. Until another game begins.
-  void keep(const std::string& words) { kept_ = words; }
+  void keep(const texts::Saying& words) { kept_ = Notice(words); }
 
   /// Says which effects have just been turned on or off. They change with the next frame: before a picture
   /// with other effects is drawn for the first time, shaders are compiled, which may take seconds, and the
@@ -76,8 +74,8 @@ class Announcements {
   std::vector<Wall> standing_;                             ///< the walls that can be left behind
   std::vector<RoomBoundary> boundaries_;                   ///< of each viewer
   std::array<StatusMessage, kMostViewers> messages_;       ///< of each viewer
-  std::string kept_;                                       ///< words that stand while there are no others
-  std::string pending_;                                    ///< message still to be shown
+  Notice kept_;                                            ///< words that stand while there are no others
+  texts::Saying pending_;                                  ///< message still to be shown
   bool captionTurnsEffects_ = false;                       ///< with the next frame
   std::size_t captions_ = 0;                               ///< that have begun
   bool saidWhyStill_ = false;                              ///< why steering does nothing was said

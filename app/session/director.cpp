@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/operator/lesson.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 #include "engine/base/log.h"
 
@@ -96,7 +97,7 @@ void FrameLeader::askWhetherStillThere(Decision& decision) const {
   FrameRecord& record = decision.frame.record;
   const std::optional<int> left_s = programme_.countdown(record.display_s);
   if (!left_s) return;
-  const Notice asks(fmt::format(texts::message::kStillThere, *left_s));
+  const Notice asks(texts::say(texts::message::kStillThere, *left_s));
   for (ViewerState& viewer : record.present()) viewer.notice = asks;
 }
 
@@ -106,7 +107,7 @@ void FrameLeader::followClass(Decision& decision) {
   classroom_->follow(settings_.lesson);
   classroom_->takeVotes(decision.votes);
   std::erase_if(decision.answers, [](const LessonAnswer& given) {
-    return given.answer == texts::lesson::kSkipped;
+    return given.answer == texts::lesson::kSkipped.english();
   });  // by phone
   for (const std::string& phase : classroom_->takePhases()) decision.notes.push_back({"class", phase});
   decision.frame.record.classroom = classroom_->view();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cave/texts/saying.h"
 #include "cave/texts/texts.h"
 #include "engine/base/log.h"
 
@@ -56,7 +57,7 @@ void LinkedRoom::begin(bool isHall, bool goesOn) {
   isFirst_ = !goesOn;
   counted_ = {};
   waited_s_ = 0.0;
-  kept_ = "-";
+  kept_ = texts::Saying("-");
 }
 
 std::vector<Stroke> LinkedRoom::strokesBefore() const {
@@ -76,16 +77,14 @@ void LinkedRoom::say(const LinkNote& note, Announcements& announcements, Decisio
   if (note.what == LinkNote::kPaired) {
     turns_.joined(static_cast<std::uint32_t>(
         std::ranges::count(play_.strokes(), 1U, [](const LinkStroke& stroke) { return stroke.room; })));
-    announcements.say(fmt::format(texts::message::kLinkPaired, other), decision);
+    announcements.say(texts::say(texts::message::kLinkPaired, other), decision);
   }
-  if (note.what == LinkNote::kGone)
-    announcements.say(fmt::format(texts::message::kLinkGone, other), decision);
-  if (note.what == LinkNote::kBack)
-    announcements.say(fmt::format(texts::message::kLinkBack, other), decision);
+  if (note.what == LinkNote::kGone) announcements.say(texts::say(texts::message::kLinkGone, other), decision);
+  if (note.what == LinkNote::kBack) announcements.say(texts::say(texts::message::kLinkBack, other), decision);
   if (note.what == LinkNote::kMismatch && play_.state() == LinkState::alone)
-    announcements.say(fmt::format(texts::message::kLinkMismatch, note.value), decision);
+    announcements.say(texts::say(texts::message::kLinkMismatch, note.value), decision);
   if (note.what == LinkNote::kResynchronised)
-    announcements.say(fmt::format(texts::message::kLinkResynchronised, note.value), decision);
+    announcements.say(texts::say(texts::message::kLinkResynchronised, note.value), decision);
 }
 
 HandStroke LinkedRoom::rowOf(const LinkStroke& stroke) const {
@@ -213,23 +212,24 @@ std::string LinkedRoom::nameOf(const LinkedPlayer& player) const {
 }
 
 /// Returns whose turn it is, the people of the other room as their light tells of them, and where they are.
-std::string LinkedRoom::markOf(const World& world, const Event& eye) const {
+texts::Saying LinkedRoom::markOf(const World& world, const Event& eye) const {
   const bool isOwn = shownTurn_.room == play_.room() && play_.self().viewers.size() == 1;
-  std::string words =
-      isOwn ? texts::message::kLinkYourTurn : fmt::format(texts::message::kLinkTheirTurn, nameOf(shownTurn_));
+  texts::Saying words = isOwn ? texts::Saying(texts::message::kLinkYourTurn)
+                              : texts::say(texts::message::kLinkTheirTurn, nameOf(shownTurn_));
   // What would be cut is left out.
-  const auto add = [&](const std::string& more) {
-    if (words.size() + more.size() < Notice().text.size()) words += more;
+  const auto add = [&](const texts::Saying& more) {
+    const texts::Saying both = words + more;
+    if (both.english().size() < Notice().english.text.size()) words = both;
   };
   for (const ToldPath& path : world.people) {
     const auto seen =
         path.at([&](const Event& event) { return afterLightOf_s(event, eye, play_.lightSpeed_m_s()); });
     if (!seen) continue;
     const LinkedPlayer player{play_.otherNumber(), static_cast<std::uint32_t>(seen->moment->person)};
-    add(fmt::format(texts::message::kLinkPerson, nameOf(player), seen->properTime_s, seen->moment->caroms,
-                    turns_.strokes(player)));
+    add(texts::say(texts::message::kLinkPerson, nameOf(player), seen->properTime_s, seen->moment->caroms,
+                   turns_.strokes(player)));
   }
-  add(fmt::format(texts::message::kLinkMark, play_.otherName(), play_.away_s()));
+  add(texts::say(texts::message::kLinkMark, play_.otherName(), play_.away_s()));
   return words;
 }
 
@@ -239,12 +239,12 @@ void LinkedRoom::tellWaiting(bool waits, double step_s, const World& world, cons
   lookAtCaroms(record);
   turns_.look(eye, play_.lightSpeed_m_s());
   waited_s_ = waits ? waited_s_ + step_s : 0.0;
-  std::string words;
+  texts::Saying words;
   if (isHall_ || !play_.own()) {
-    words = play_.otherName().empty() ? texts::message::kLinkCalls
-                                      : fmt::format(texts::message::kLinkWaitsFor, play_.otherName());
+    words = play_.otherName().empty() ? texts::Saying(texts::message::kLinkCalls)
+                                      : texts::say(texts::message::kLinkWaitsFor, play_.otherName());
   } else if (waited_s_ > kNoticed_s) {
-    words = fmt::format(texts::message::kLinkStill, play_.otherName());
+    words = texts::say(texts::message::kLinkStill, play_.otherName());
   } else if (play_.state() == LinkState::playing) {
     // Once a second is often enough for numbers.
     const bool isRecent = isMarked_ && frames_ % 60 != 0 && turn() == shownTurn_;
@@ -323,10 +323,10 @@ void LinkedRoom::addRows(Decision& decision) {
   }
 }
 
-std::string LinkedRoom::whyNotChoose() const {
+texts::Saying LinkedRoom::whyNotChoose() const {
   if (play_.state() == LinkState::alone && isLiving()) return {};
-  return play_.otherName().empty() ? texts::message::kLinkCalls
-                                   : fmt::format(texts::message::kLinkHostChooses, play_.otherName());
+  return play_.otherName().empty() ? texts::Saying(texts::message::kLinkCalls)
+                                   : texts::say(texts::message::kLinkHostChooses, play_.otherName());
 }
 
 LinkReport LinkedRoom::report() const {

@@ -77,7 +77,7 @@ class LinkedRoom {
   std::vector<Stroke> strokesBefore() const;
 
   /// Of a room that joins: returns why it may not choose the next game, in words for people; empty if it may.
-  std::string whyNotChoose() const;
+  texts::Saying whyNotChoose() const;
 
   LinkReport report() const;
 
@@ -87,7 +87,7 @@ class LinkedRoom {
   void lookAtCaroms(const FrameRecord& record);
   LinkedPlayer turn() const;
   std::string nameOf(const LinkedPlayer& player) const;
-  std::string markOf(const World& world, const Event& eye) const;
+  texts::Saying markOf(const World& world, const Event& eye) const;
   void say(const LinkNote& note, Announcements& announcements, Decision& decision);
   void addRows(Decision& decision);
   void measureTraffic(LinkClock::time_point now);
@@ -115,7 +115,8 @@ class LinkedRoom {
     LineTraffic traffic;  ///< all until then
     LinkClock::time_point at{};
   } measured_;
-  std::string said_, kept_;
+  std::string said_;
+  texts::Saying kept_;
 };
 
 }  // namespace carom

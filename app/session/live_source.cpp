@@ -145,7 +145,7 @@ void LiveSource::tell(std::span<const Command> commands, const OperatorSettings&
   for (const Command& command : commands) {
     if (const auto* tells = std::get_if<TellPerson>(&command)) announcements_.say(tells->words, decision);
   }
-  announcements_.sayTo(inputs_.steering(), room_.takeNotice().words(), decision);
+  announcements_.sayTo(inputs_.steering(), room_.takeNotice(), decision);
   announcements_.tellWhoLeft(room_.viewers(), decision);
   announcements_.putInto(decision);
 }

@@ -46,7 +46,7 @@ class LiveSource : public FrameSource {
   void holdHeads(bool on) { room_.viewers().hold(on); }
 
   /// Shows a message in the room with the next frame.
-  void announce(const std::string& words) { announcements_.later(words); }
+  void announce(const texts::Saying& words) { announcements_.later(words); }
 
   /// Leaves the force devices at 0 N, and returns the notes of it, for the session's end.
   std::vector<Note> endForces() { return inputs_.endForces(); }

@@ -13,7 +13,7 @@ constexpr double kOnset_s = 0.5;
 /// Returns the rumble strength in [0, 1]: stroke energy relative to the strongest stroke. 0 unless a gamepad
 /// draws the cue.
 double rumbleStrength(const HandInput& hand, const HandView& view) {
-  return view.pulling && hand.device == texts::kGamepad ? costOf(view.u) / costOf(kStrongestU) : 0.0;
+  return view.pulling && hand.device == kHandGamepad ? costOf(view.u) / costOf(kStrongestU) : 0.0;
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void PlayerInputs::feel(std::size_t viewer, const Viewers& viewers, const HandIn
     forces_[viewer]->post(hand, viewers.hand(viewer).wand.down != 0, holding, record.display_s, own);
   if (viewer != atDesk_) return;
   rumble_.set(rumbleStrength(hand, own.hand));
-  if (struck && hand.device == texts::kGamepad) rumble_.pulse();
+  if (struck && hand.device == kHandGamepad) rumble_.pulse();
 }
 
 }  // namespace carom

@@ -19,7 +19,7 @@ HandForce::Holding holdingOf(const BilliardSetup& game, std::size_t number, cons
 void tellOf(HandForce& force, std::size_t viewer, Announcements& announcements, Decision& decision) {
   for (const ForceNote& note : force.takeNotes()) {
     decision.notes.push_back({std::string(note.what), note.value, viewer});
-    if (note.isForPeople) announcements.sayTo(viewer, note.value, decision);
+    announcements.sayTo(viewer, note.said, decision);
   }
 }
 

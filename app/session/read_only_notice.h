@@ -14,7 +14,7 @@ class ReadOnlyNotice {
     const bool strikes = (desk.mouse && desk.mouseHeld) || desk.padHeld;
     const bool touched = strikes || desk.brake || desk.home || desk.steer != Vec3(0.0);
     if (touched && !touched_) {
-      log::note(texts::message::kReadOnly);
+      log::note(texts::message::kReadOnly.english());
       message_.say(texts::message::kReadOnly, now_s);
     }
     touched_ = touched;

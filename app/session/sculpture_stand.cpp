@@ -11,6 +11,7 @@
 
 #include "app/stage/scenario_scene.h"
 #include "cave/record/event_mark.h"
+#include "cave/texts/saying.h"
 #include "cave/texts/texts.h"
 #include "engine/base/log.h"
 #include "engine/sculpture/event_order.h"
@@ -83,25 +84,25 @@ SculptureStand::Touch SculptureStand::touch(const HandInput& hand, std::size_t v
   Touch touch;
   const bool isNew = !std::exchange(wasShown_, record.views.spacetime != 0);
   if (!record.views.spacetime) return touch;
-  if (isNew && left_ > 0) touch.said = fmt::format(texts::message::kNotSculpted, sculpted_, left_);
+  if (isNew && left_ > 0) touch.said = texts::say(texts::message::kNotSculpted, sculpted_, left_);
   const ObserverView& first = record.viewers.front().observer;
   const SculptureMap map(view_.place, first.middle.observation, first.headFromBoard.lightSpeed_m_s());
   const SculptureHands::Outcome outcome = hands_.step(hand, viewer, map, world.events, topOfPucks_m_, view_);
   view_.held = hands_.holds() ? 1 : 0;
   touch.takes = outcome.takes;
   touch.at_m = outcome.at_m;
-  if (std::string words = wordsOf(outcome, viewer, world, record); !words.empty() && words != said_)
+  if (texts::Saying words = wordsOf(outcome, viewer, world, record); !words.empty() && words != said_)
     touch.said = said_ = std::move(words);
-  if (!outcome.takes) said_.clear();
+  if (!outcome.takes) said_ = {};
   record.sculpture = view_;
   return touch;
 }
 
-std::string SculptureStand::wordsOf(const SculptureHands::Outcome& outcome, std::size_t viewer,
-                                    const World& world, const FrameRecord& record) const {
+texts::Saying SculptureStand::wordsOf(const SculptureHands::Outcome& outcome, std::size_t viewer,
+                                      const World& world, const FrameRecord& record) const {
   if (outcome.boosts)
-    return outcome.atLimit ? fmt::format(texts::message::kSculptureFastest, kMostSculptureBeta)
-                           : fmt::format(texts::message::kSculptureSpeed, glm::length(view_.place.beta));
+    return outcome.atLimit ? texts::say(texts::message::kSculptureFastest, kMostSculptureBeta)
+                           : texts::say(texts::message::kSculptureSpeed, glm::length(view_.place.beta));
   if (!outcome.picked || view_.picked == 0) return {};
   const auto eventOf = [&](std::uint64_t picked) {
     const auto found = std::find_if(world.events.begin(), world.events.end(),
@@ -110,32 +111,32 @@ std::string SculptureStand::wordsOf(const SculptureHands::Outcome& outcome, std:
   };
   const GameEvent *const last = eventOf(view_.picked), *const before = eventOf(view_.compared);
   if (last && before) return compare(*before, *last, viewer, record);
-  return last ? fmt::format(texts::message::kPicked, eventMark(*last, flashes_)) : std::string();
+  return last ? texts::say(texts::message::kPicked, eventMark(*last, flashes_)) : texts::Saying();
 }
 
-std::string SculptureStand::compare(const GameEvent& a, const GameEvent& b, std::size_t viewer,
-                                    const FrameRecord& record) const {
+texts::Saying SculptureStand::compare(const GameEvent& a, const GameEvent& b, std::size_t viewer,
+                                      const FrameRecord& record) const {
   const double c_m_s = record.viewers[viewer].observer.headFromBoard.lightSpeed_m_s();
   const Displacement way = b.at - a.at;
   const auto first = [&](const Vec3& beta) {
     const int order = firstOf(a.at, b.at, beta, c_m_s);
-    return order == 0 ? std::string(texts::message::kNeitherFirst) : eventMark(order < 0 ? a : b, flashes_);
+    return order == 0 ? texts::Saying(texts::message::kNeitherFirst)
+                      : texts::Saying(eventMark(order < 0 ? a : b, flashes_));
   };
   const auto betaOf = [&](std::size_t who) {
     return betaFromU(record.viewers[who].observer.headFromBoard.inverse().u());
   };
-  std::string order;
+  texts::Saying order;
   if (interval_m2(way, c_m_s) >= 0.0) {
-    order = fmt::format(texts::message::kOneOrder, first(Vec3(0.0)));
+    order = texts::say(texts::message::kOneOrder, first(Vec3(0.0)));
   } else {
-    order = fmt::format(texts::message::kNoOrder, first(Vec3(0.0)), first(betaOf(viewer)));
+    order = texts::say(texts::message::kNoOrder, first(Vec3(0.0)), first(betaOf(viewer)));
     for (std::size_t other = 0; other < record.viewerCount; ++other)
-      if (other != viewer)
-        order += fmt::format(texts::message::kOrderOf, first(betaOf(other)), names_[other]);
-    order += '.';
+      if (other != viewer) order += texts::say(texts::message::kOrderOf, first(betaOf(other)), names_[other]);
+    order += texts::message::kOrderEnds;
   }
-  return fmt::format(texts::message::kPickedTwo, eventMark(a, flashes_), eventMark(b, flashes_),
-                     glm::length(way.dr_m), c_m_s * std::abs(way.dt_s), order);
+  return texts::say(texts::message::kPickedTwo, eventMark(a, flashes_), eventMark(b, flashes_),
+                    glm::length(way.dr_m), c_m_s * std::abs(way.dt_s), order);
 }
 
 }  // namespace carom

@@ -24,16 +24,16 @@ class SculptureStand {
   struct Touch {
     bool takes = false;  ///< the hand is the sculpture's
     Vec3 at_m{0.0};      ///< where the hand holds it, room frame
-    std::string said;    ///< to the viewer; empty if nothing
+    texts::Saying said;  ///< to the viewer; empty if nothing
   };
   /// Lets a viewer's hand act on it, while it is shown.
   Touch touch(const HandInput& hand, std::size_t viewer, const World& world, FrameRecord& record);
 
  private:
-  std::string wordsOf(const SculptureHands::Outcome& outcome, std::size_t viewer, const World& world,
-                      const FrameRecord& record) const;
-  std::string compare(const GameEvent& a, const GameEvent& b, std::size_t viewer,
-                      const FrameRecord& record) const;
+  texts::Saying wordsOf(const SculptureHands::Outcome& outcome, std::size_t viewer, const World& world,
+                        const FrameRecord& record) const;
+  texts::Saying compare(const GameEvent& a, const GameEvent& b, std::size_t viewer,
+                        const FrameRecord& record) const;
 
   SculptureHands hands_;
   double topOfPucks_m_ = 0.0;
@@ -41,7 +41,7 @@ class SculptureStand {
   bool wasShown_ = false;
   std::vector<std::string> names_;  // of the viewers
   std::vector<std::string> flashes_;
-  std::string said_;  // while a hand holds it
+  texts::Saying said_;  // while a hand holds it
   SculptureView view_;
   RoomAxes axes_;
   std::optional<Vec3> place_m_;  // of its foot, if that is told

@@ -2,7 +2,6 @@
 // The latest message to the viewer in the room, with the time until it disappears.
 
 #include <limits>
-#include <string_view>
 
 #include "cave/record/notice.h"
 
@@ -14,7 +13,7 @@ inline constexpr double kNoticeShown_s = 4.0;
 class StatusMessage {
  public:
   /// Shows the message in the room from now on.
-  void say(std::string_view words, double now_s) {
+  void say(const texts::Saying& words, double now_s) {
     notice_ = Notice(words);
     until_s_ = now_s + kNoticeShown_s;
   }

@@ -9,6 +9,7 @@
 #include "app/operator/visitor_choices.h"
 #include "cave/frame/bodies.h"
 #include "cave/record/hand_view.h"
+#include "cave/texts/saying.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -40,9 +41,9 @@ void TaskRun::begin(const OperatorSettings& settings, Announcements& announcemen
   const Task& task = scenario_->tasks[number_];
   judge_.emplace(task, scenario_->billiard.lightSpeed_m_s);
   state_ = State::waits;
-  std::string words = fmt::format(texts::task::kText, number_ + 1, scenario_->tasks.size(), task.text);
+  texts::Saying words = texts::say(texts::task::kText, number_ + 1, scenario_->tasks.size(), task.text);
   const auto best = settings.bestOfTask_j.find({settings.playing, number_});
-  if (best != settings.bestOfTask_j.end()) words += fmt::format(texts::task::kBest, best->second);
+  if (best != settings.bestOfTask_j.end()) words += texts::say(texts::task::kBest, best->second);
   announcements.keep(words);
   note("begun", 0, decision);
 }
@@ -59,7 +60,7 @@ void TaskRun::judge(const World& world, Announcements& announcements, Decision& 
     state_ = State::done;
     doneAt_s_ = record.display_s;
     note("solved", stars, decision);
-    announcements.say(fmt::format(texts::task::kSolved, stars, energy_j_), decision);
+    announcements.say(texts::say(texts::task::kSolved, stars, energy_j_), decision);
     decision.commands.emplace_back(KeepTaskBest{number_, energy_j_});
     return;
   }

@@ -50,7 +50,7 @@ void WallPresses::aimPad(int steps, HandInput& hand) {
     while (!does(buttons_[next]));
     chosen_ = next;
   }
-  if (!chosen_ || hand.device != texts::kGamepad) return;
+  if (!chosen_ || hand.device != kHandGamepad) return;
   hand.along = glm::normalize(middleOf(*front_, buttons_[*chosen_].place) - hand.from_m);
 }
 

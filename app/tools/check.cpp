@@ -31,6 +31,7 @@
 #include "app/room_import/room_check.h"
 #include "app/study/retention.h"
 #include "app/study/study.h"
+#include "app/tools/check_translation.h"
 #include "app/tools/import.h"
 #include "app/tools/option_values.h"
 #include "cave/overlay/band_layout.h"
@@ -44,7 +45,7 @@ namespace carom {
 
 namespace {
 
-enum class FileKind { scenario, rig, playlist, study, itemBank, foreignRoom };
+enum class FileKind { scenario, rig, playlist, study, itemBank, foreignRoom, translation };
 
 constexpr std::size_t kMostTold = 100;  // pucks and bodies, one by one
 
@@ -69,6 +70,7 @@ TomlFile openedToml(const std::filesystem::path& path) {
 
 /// Returns the kind of file, from its content.
 FileKind kindOf(const std::filesystem::path& path) {
+  if (path.extension() == ".po" || path.extension() == ".pot") return FileKind::translation;
   if (isForeignRoom(path)) return FileKind::foreignRoom;
   const TomlFile file = openedToml(path);
   for (const char* key : {"light_speed_m_s", "puck", "body", "board", "physics", "observer", "stroke",
@@ -414,6 +416,8 @@ int runCheck(const std::filesystem::path& file, const FileOpeners& open, const s
       break;
     case FileKind::foreignRoom:
       return tellForeignRoom(file, room);
+    case FileKind::translation:
+      return tellTranslation(file) ? 1 : 0;
   }
   return 0;
 }
@@ -421,12 +425,13 @@ int runCheck(const std::filesystem::path& file, const FileOpeners& open, const s
 void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPattern& showPattern) {
   CLI::App* command = app.add_subcommand(
       "check",
-      "Examine a scenario, a room, a playlist, a study or an item bank and say what is in it and what is "
-      "suspicious");
+      "Examine a scenario, a room, a playlist, a study, an item bank or a translation and say what is in it "
+      "and what is suspicious");
   auto file = std::make_shared<std::filesystem::path>();
   command
       ->add_option("FILE", *file,
-                   std::string("Scenario, rig, playlist, study, item bank, or a room of another program: ") +
+                   std::string("Scenario, rig, playlist, study, item bank, translation (.po), or a room of "
+                               "another program: ") +
                        kForeignFiles)
       ->required()
       ->transform(shipped({"rigs", "scenarios", "playlists", "studies"}));
@@ -448,7 +453,7 @@ void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPat
         ->needs(show);
     addLanguage(*command, *language)->needs(show);
   }
-  command->footer("Example:\n  carom check desk");
+  command->footer("Examples:\n  carom check desk\n  carom check mine.fr.po");
   command->callback([=, &status] {
     if (*pattern) {
       status = showPattern(*file, *capture, *language);

@@ -1,6 +1,6 @@
 #pragma once
-// `carom check`: examines a scenario, a rig or another program's room file, and reports its contents and what
-// is unusual about it.
+// `carom check`: examines a scenario, a rig, a translation or another program's room file, and reports its
+// contents and everything unusual about it.
 
 #include <filesystem>
 #include <functional>

@@ -11,6 +11,7 @@
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
 #include "app/journal/session_file.h"
+#include "app/languages/language_files.h"
 #include "app/operator/visitor_choices.h"
 #include "app/study/study.h"
 
@@ -86,6 +87,23 @@ void addLocal(const std::filesystem::path& file, ListedFiles& listed) {
   }
 }
 
+/// Returns how much of a part is translated; 100 % is all of it.
+std::string wordsFor(const LanguageProgress::Part& part, std::string_view what) {
+  return fmt::format("{} % of {} {}", part.all == 0 ? 100 : 100 * part.translated / part.all, part.all, what);
+}
+
+void addLanguages(ListedFiles& listed) {
+  listed.languages.push_back({"en", "as everything is written"});
+  for (const LanguageProgress& progress : progressOfLanguages()) {
+    const bool isFaulty = !progress.fault.empty();
+    listed.languages.push_back({progress.code,
+                                isFaulty ? progress.fault
+                                         : fmt::format("{}, {}", wordsFor(progress.texts, "texts"),
+                                                       wordsFor(progress.games, "texts of games")),
+                                isFaulty});
+  }
+}
+
 void print(const char* heading, const std::vector<ListedFile>& files) {
   if (files.empty()) return;
   std::size_t width = 0;
@@ -104,11 +122,13 @@ int runList() {
   print("playlists (carom cave --playlist NAME)", listed.playlists);
   print("studies (carom study plan NAME)", listed.studies);
   print("traces (carom filter NAME)", listed.traces);
+  print("languages (carom cave --language CODE)", listed.languages);
   const auto isFaulty = [](const ListedFile& file) { return file.isFaulty; };
   return std::any_of(listed.games.begin(), listed.games.end(), isFaulty) ||
                  std::any_of(listed.rigs.begin(), listed.rigs.end(), isFaulty) ||
                  std::any_of(listed.playlists.begin(), listed.playlists.end(), isFaulty) ||
-                 std::any_of(listed.studies.begin(), listed.studies.end(), isFaulty)
+                 std::any_of(listed.studies.begin(), listed.studies.end(), isFaulty) ||
+                 std::any_of(listed.languages.begin(), listed.languages.end(), isFaulty)
              ? 1
              : 0;
 }
@@ -144,16 +164,16 @@ ListedFiles listFiles(const std::filesystem::path& folder) {
     addStudyFile(file, file.stem().string(), listed);
   for (const auto& file : filesIn(configFolder() / "traces", ".csv"))
     listed.traces.push_back({file.stem().string(), ""});
+  addLanguages(listed);
   for (const auto& file : filesIn(folder, ".toml")) addLocal(file.lexically_normal(), listed);
   return listed;
 }
 
 void addList(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("list",
-                         "List the shipped games, lessons, rigs, playlists, studies and traces, and "
-                         "those in this folder; or the games of a "
-                         "session");
+  CLI::App* command = app.add_subcommand(
+      "list",
+      "List the shipped games, lessons, rigs, playlists, studies, traces and languages (with how "
+      "much of each is translated), and those in this folder; or the games of a session");
   const auto session = std::make_shared<std::optional<std::filesystem::path>>();
   command->add_option("SESSION", *session, "Session file whose games are listed");
   command->footer("Examples:\n  carom list\n  carom list visit.db");

@@ -1,6 +1,6 @@
 #pragma once
-// `carom list`: the shipped games, lessons, rigs, playlists, studies and traces, and those of a folder, with
-// their titles.
+// `carom list`: the shipped games, lessons, rigs, playlists, studies, traces and languages, and those of a
+// folder, with their titles.
 
 #include <filesystem>
 #include <string>
@@ -22,6 +22,7 @@ struct ListedFile {
 struct ListedFiles {
   std::vector<ListedFile> lessons;  ///< in the order in which they build on one another, then by name
   std::vector<ListedFile> games, rigs, playlists, studies, traces;
+  std::vector<ListedFile> languages;  ///< their titles say how much is translated
 };
 
 /// Returns the shipped files and the scenarios, rigs and playlists of `folder`. A file that can be read as

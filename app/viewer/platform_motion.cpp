@@ -96,11 +96,11 @@ void PlatformMotion::begin(const Observers& observers) {
   setsOut_ = false;
   const Vec3 u = observers.boardFromRoom().u();
   if (tour_.empty()) {
-    notice_ = Notice(texts::message::kNoFlight);
+    notice_ = texts::message::kNoFlight;
   } else if (view_.mode == DriveMode::tour) {
-    notice_ = Notice(texts::message::kFlightUnderWay);
+    notice_ = texts::message::kFlightUnderWay;
   } else if (glm::length(u) > kTourFrom_u && glm::length(u - atStart_u_) > kTourFrom_u) {
-    notice_ = Notice(texts::message::kFlightBeginsAtRest);
+    notice_ = texts::message::kFlightBeginsAtRest;
   } else {
     take(tour_);
     view_.mode = DriveMode::tour;
@@ -112,7 +112,7 @@ void PlatformMotion::endTour(const Observers& observers) {
   leaveWay(DriveMode::free);
   const double board_s = observers.headEvent(setOutBy_).t_s - setOutBoard_s_,
                own_s = observers.properTime_s(setOutBy_) - setOutOwn_s_;
-  notice_ = Notice(fmt::format(texts::message::kFlightFinished, board_s, own_s));
+  notice_ = texts::say(texts::message::kFlightFinished, board_s, own_s);
 }
 
 void PlatformMotion::take(std::span<const Thrust> way) {
@@ -127,8 +127,8 @@ void PlatformMotion::leaveWay(DriveMode mode) {
   view_.mode = mode;
 }
 
-void PlatformMotion::sayOnce(bool& said, std::string_view words) {
-  if (!said) notice_ = Notice(words);
+void PlatformMotion::sayOnce(bool& said, const texts::Saying& words) {
+  if (!said) notice_ = words;
   said = true;
 }
 
@@ -136,7 +136,7 @@ void PlatformMotion::apply(const DriveWish& wish) {
   const bool steers = glm::length(wish.steer) > kMeant;
   steered_ = steered_ || steers;
   if (view_.mode == DriveMode::tour && (wish.home || wish.brake || steers))
-    notice_ = Notice(texts::message::kFlightInterrupted);
+    notice_ = texts::message::kFlightInterrupted;
   if (wish.home) {
     if (view_.mode != DriveMode::home) leaveWay(DriveMode::home);
   } else if (wish.brake) {
@@ -213,7 +213,7 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
     thrust_m_s2 /= asked;
     view_.atLimit = 1;
     const double behind_m = c_m_s_ * c_m_s_ / strongest_m_s2_;
-    sayOnce(saidStrongest_, fmt::format(texts::message::kStrongestThrust, behind_m));
+    sayOnce(saidStrongest_, texts::say(texts::message::kStrongestThrust, behind_m));
   }
   const double left_s = left.platform_s(thrust_m_s2);
   const Lorentz& room = observers.boardFromRoom();
@@ -226,8 +226,8 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   const double after_u = glm::length(after.u());
   if (after_u <= std::max(most_u_, glm::length(room.u()))) return {left_s, thrust_m_s2};
   view_.atLimit = 1;
-  sayOnce(saidFastest_, fmt::format(texts::message::kFastest, most_u_ / std::hypot(1.0, most_u_),
-                                    std::hypot(1.0, most_u_)));
+  sayOnce(saidFastest_,
+          texts::say(texts::message::kFastest, most_u_ / std::hypot(1.0, most_u_), std::hypot(1.0, most_u_)));
   return {left.platform_s()};
 }
 

@@ -16,7 +16,7 @@
 
 #include "app/files/scenario.h"
 #include "cave/record/hand_view.h"
-#include "cave/record/notice.h"
+#include "cave/texts/saying.h"
 #include "engine/spacetime/lorentz.h"
 #include "engine/spacetime/observers.h"
 
@@ -55,7 +55,7 @@ class PlatformMotion {
 
   const DriveView& view() const { return view_; }  ///< of the last frame; thrust is the mean over it
   /// Returns and clears the message since the last call; empty if there is none.
-  Notice takeNotice() { return std::exchange(notice_, {}); }
+  texts::Saying takeNotice() { return std::exchange(notice_, {}); }
 
  private:
   /// A constant thrust, or a turn about the head, of duration `for_s`.
@@ -117,7 +117,7 @@ class PlatformMotion {
   void planTrip(const Vec3& wayInRoom_m);
   void take(std::span<const Thrust> way);
   void leaveWay(DriveMode mode);
-  void sayOnce(bool& said, std::string_view words);
+  void sayOnce(bool& said, const texts::Saying& words);
 
   double c_m_s_, strongest_m_s2_, most_u_;
   std::size_t steering_ = 0;  ///< the observer about whom the room turns, and for whom its thrust is given
@@ -136,7 +136,7 @@ class PlatformMotion {
   std::size_t push_ = 0;   ///< current thrust of `way_`
   double pushed_s_ = 0.0;  ///< elapsed time of that thrust
   DriveView view_;
-  Notice notice_;
+  texts::Saying notice_;
   bool saidStrongest_ = false, saidFastest_ = false, saidFar_ = false, saidWall_ = false;
 };
 

@@ -75,7 +75,7 @@ class RoomMotion {
 
   const DriveView& drive() const { return drive_.view(); }
   /// Returns and clears the platform's message since the last call.
-  Notice takeNotice() { return drive_.takeNotice(); }
+  texts::Saying takeNotice() { return drive_.takeNotice(); }
 
   Viewers& viewers() { return viewers_; }
   const Viewers& viewers() const { return viewers_; }

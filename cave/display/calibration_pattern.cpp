@@ -14,6 +14,7 @@
 #include "cave/display/pattern_canvas.h"
 #include "cave/room/off_axis.h"
 #include "cave/room/wall_eyes.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -92,10 +93,10 @@ Image calibrationPattern(const Wall& wall, Eye eye) {
   const double unit_px = std::min(wall.pixels.x, wall.pixels.y);
   canvas.write(wall.name, 0.1 * unit_px, {0.5, 0.74}, 0.5);
   canvas.write(nameOf(eye), 0.2 * unit_px, {0.5, 0.56}, 0.5);
-  canvas.write(fmt::format(texts::pattern::kWall, wall.node, wall.pixels.x, wall.pixels.y), 0.04 * unit_px,
+  canvas.write(texts::format(texts::pattern::kWall, wall.node, wall.pixels.x, wall.pixels.y), 0.04 * unit_px,
                {0.5, 0.4}, 0.5);
-  canvas.write(showsFineLines(pxPerM) ? fmt::format(texts::pattern::kFineLines, size_m.x, size_m.y)
-                                      : fmt::format(texts::pattern::kCoarseLines, size_m.x, size_m.y),
+  canvas.write(showsFineLines(pxPerM) ? texts::format(texts::pattern::kFineLines, size_m.x, size_m.y)
+                                      : texts::format(texts::pattern::kCoarseLines, size_m.x, size_m.y),
                0.04 * unit_px, {0.5, 0.32}, 0.5);
   writeCorners(canvas, wall, unit_px);
   drawCircle(canvas, size_m, pxPerM);

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "cave/gl/glyph_bitmap.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -13,7 +14,7 @@ namespace carom {
 using Layout = CalibrationPatternLayout;
 
 std::string cornerWords(const glm::dvec3& corner_m) {
-  return fmt::format(texts::pattern::kCorner, corner_m.x, corner_m.y, corner_m.z);
+  return texts::format(texts::pattern::kCorner, corner_m.x, corner_m.y, corner_m.z);
 }
 
 PatternCanvas::PatternCanvas(const glm::ivec2& size_px) {

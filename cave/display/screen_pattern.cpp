@@ -15,6 +15,7 @@
 #include "cave/display/pattern_canvas.h"
 #include "cave/room/off_axis.h"
 #include "cave/room/wall_eyes.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -195,7 +196,7 @@ Image screenPattern(const Wall& wall, Eye eye, Image crosses) {
   const double unit_px = std::min(wall.pixels.x, wall.pixels.y);
   canvas.write(wall.name, 0.08 * unit_px, {0.5, 0.7}, 0.5);
   canvas.write(nameOf(eye), 0.12 * unit_px, {0.5, 0.57}, 0.5);
-  canvas.write(fmt::format(texts::pattern::kWall, wall.node, wall.pixels.x, wall.pixels.y), 0.04 * unit_px,
+  canvas.write(texts::format(texts::pattern::kWall, wall.node, wall.pixels.x, wall.pixels.y), 0.04 * unit_px,
                {0.5, 0.4}, 0.5);
   if (!wall.sky) writeRim(canvas, *wall.screen, unit_px);  // its directions are no places
   return canvas.take();

@@ -7,6 +7,7 @@
 
 #include "cave/display/wall_window.h"
 #include "cave/projection/stereo.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -33,7 +34,7 @@ WallWindows::WallWindows(Graphics& graphics, const WallPictures& pictures, bool 
       title += (title.empty() ? "" : ", ") + pictures.walls()[wall].name;
       quadBuffer = quadBuffer || pictures.walls()[wall].stereo == StereoMode::quadBuffer;
     }
-    window.window = std::make_unique<Window>(graphics_, fmt::format(texts::title::kWalls, title),
+    window.window = std::make_unique<Window>(graphics_, texts::format(texts::title::kWalls, title),
                                              window.placement, quadBuffer);
   }
   // Who wears a headset does not wait for a mirror's display.

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <unordered_map>
 
 #include <raqm.h>
 #include <glm/common.hpp>
@@ -38,6 +39,7 @@ class Letters {
       FT_Face face = nullptr;
       if (FT_New_Face(library_, font.file, 0, &face) == 0) {
         faces_.push_back(face);
+        places_.push_back(static_cast<std::size_t>(&font - kFonts.data()));
       } else if (faces_.empty()) {
         FT_Done_FreeType(library_);
         throw std::runtime_error(std::string("the font ") + font.file +
@@ -60,6 +62,8 @@ class Letters {
     return {};
   }
 
+  std::size_t placeInChain(std::size_t face) const { return places_[face]; }
+
   /// Returns the letters of a line, placed. They are valid until the next call.
   std::span<const raqm_glyph_t> place(const std::u32string& text, int height_px);
 
@@ -74,6 +78,17 @@ class Letters {
     return known->second;
   }
 
+  int advance_px(char32_t letter) {
+    const auto [known, isNew] = advances_px_.try_emplace(letter, 0);
+    if (isNew) {
+      FT_Face face = faces_[fontOf(letter).value_or(0)];
+      FT_Set_Pixel_Sizes(face, 0, kMeasured_px);
+      if (FT_Load_Char(face, letter, FT_LOAD_DEFAULT) == 0)
+        known->second = wholePixels(face->glyph->advance.x);
+    }
+    return known->second;
+  }
+
   static FT_GlyphSlot drawn(const raqm_glyph_t& glyph) {
     FT_Load_Glyph(glyph.ftface, glyph.index, FT_LOAD_RENDER);
     return glyph.ftface->glyph;
@@ -82,8 +97,10 @@ class Letters {
  private:
   FT_Library library_ = nullptr;
   std::vector<FT_Face> faces_;
+  std::vector<std::size_t> places_;  ///< of the faces in the chain
   raqm_t* line_ = nullptr;
   std::map<int, int> descents_px_;  ///< by height
+  std::unordered_map<char32_t, int> advances_px_;
 };
 
 std::span<const raqm_glyph_t> Letters::place(const std::u32string& text, int height_px) {
@@ -168,6 +185,13 @@ int widthOf_px(std::string_view text) {
   FT_Pos pen = 0;
   for (const raqm_glyph_t& glyph : letters().place(codePointsOf(text), kMeasured_px)) pen += glyph.x_advance;
   return wholePixels(pen);
+}
+
+int advanceOf_px(char32_t letter) { return letters().advance_px(letter); }
+
+std::optional<std::size_t> fontOf(char32_t letter) {
+  const std::optional<std::size_t> face = letters().fontOf(letter);
+  return face ? std::optional(letters().placeInChain(*face)) : std::nullopt;
 }
 
 std::u32string lettersWithoutFont(std::string_view text) {

@@ -2,6 +2,7 @@
 // Text as a bitmap: FreeType draws the letters, raqm places them (shaping and kerning by HarfBuzz).
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,13 @@ GlyphBitmap ink(std::string_view text, int height_px);
 /// Throws as `ink` does.
 inline constexpr int kMeasured_px = 100;
 int widthOf_px(std::string_view text);
+
+/// Returns how far a letter moves the pen, in that height, where none stands beside it. Each letter is
+/// measured once. The letters of a line add up to its width but for their kerning.
+int advanceOf_px(char32_t letter);
+
+/// Returns the place in the chain of the first installed font that has a letter; none.
+std::optional<std::size_t> fontOf(char32_t letter);
 
 /// Returns the letters of a text that no installed font has, each once.
 std::u32string lettersWithoutFont(std::string_view text);

@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-
+#include <limits>
+#include <string>
 #include <utility>
+
 #include "cave/gl/glyph_bitmap.h"
 
 namespace carom {
@@ -78,7 +80,55 @@ void holdModifiers(ImGuiIO& io, bool control, bool shift, bool alt) {
 constexpr ImWchar kLetters[] = {0x20,   0x24F,  0x370,  0x3FF,  0x2010, 0x209C, 0x2100,
                                 0x214F, 0x2190, 0x22FF, 0x2713, 0x2713, 0};
 
+/// The ranges of more letters, of each font of the chain behind the first. Dear ImGui reads them when it
+/// draws the letters, at the first frame.
+using Ranges = std::vector<ImWchar>;
+std::vector<Ranges>& moreLetters() {
+  static std::vector<Ranges> ranges;
+  return ranges;
+}
+
+bool isAlways(char32_t letter) {
+  for (std::size_t i = 0; kLetters[i] != 0; i += 2) {
+    if (letter >= kLetters[i] && letter <= kLetters[i + 1]) return true;
+  }
+  return letter < kLetters[0];
+}
+
+void addFonts(ImFontAtlas& atlas, float height_px) {
+  if (!std::filesystem::exists(kLettersFile)) return;
+  atlas.AddFontFromFileTTF(kLettersFile, height_px, nullptr, kLetters);
+  for (std::size_t i = 0; i < moreLetters().size(); ++i) {
+    const Ranges& ranges = moreLetters()[i];
+    if (ranges.empty()) continue;
+    ImFontConfig merged;
+    merged.MergeMode = true;
+    atlas.AddFontFromFileTTF(letterFonts()[i].file, height_px, &merged, ranges.data());
+  }
+}
+
 }  // namespace
+
+void Gui::setLetters(std::u32string_view letters) {
+  std::vector<Ranges>& all = moreLetters();
+  all.assign(letterFonts().size(), {});
+  std::u32string sorted(letters);
+  std::sort(sorted.begin(), sorted.end());
+  for (const char32_t letter : sorted) {
+    const std::optional<std::size_t> font = isAlways(letter) ? std::nullopt : fontOf(letter);
+    if (!font || letter > std::numeric_limits<ImWchar>::max()) continue;
+    Ranges& ranges = all[*font];
+    const auto sign = static_cast<ImWchar>(letter);
+    if (ranges.empty() || ranges.back() + 1 < sign) {
+      ranges.insert(ranges.end(), {sign, sign});
+    } else {
+      ranges.back() = sign;
+    }
+  }
+  for (Ranges& ranges : all) {
+    if (!ranges.empty()) ranges.push_back(0);
+  }
+}
 
 Gui::Gui(float text_px, float heading_px) : context_(ImGui::CreateContext()) {
   ImGui::SetCurrentContext(context_);
@@ -86,8 +136,7 @@ Gui::Gui(float text_px, float heading_px) : context_(ImGui::CreateContext()) {
   io.IniFilename = nullptr;  // no settings are saved
   io.LogFilename = nullptr;
   for (const float height_px : {text_px, heading_px}) {
-    if (height_px > 0.0F && std::filesystem::exists(kLettersFile))
-      io.Fonts->AddFontFromFileTTF(kLettersFile, height_px, nullptr, kLetters);
+    if (height_px > 0.0F) addFonts(*io.Fonts, height_px);
   }
   io.UserData = this;
   nameKeys(io);

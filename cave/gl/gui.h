@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -36,6 +37,11 @@ class Gui {
   ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
+
+  /// Sets the letters that windows need beyond European ones and signs of physics: those of the words of a
+  /// session's languages. They are in every Gui that is made from then on, of the first font that has them
+  /// (cave/gl/glyph_bitmap.h).
+  static void setLetters(std::u32string_view letters);
 
   /// Adds input, in the order in which it came. Each frame takes one change of buttons or keys, so that even
   /// the shortest click is seen; a button that goes down waits for the frame after the pointer has come,

@@ -30,16 +30,18 @@ double heightOf(std::span<const HudLine> lines) {
 void addChips(const HudLine& line, std::size_t number, BandLayout& layout) {
   const auto px = [&](double letters) { return static_cast<int>(letters * layout.height_px); };
   const BandPart& whole = layout.lines[number];
+  const double most = static_cast<double>(layout.size_px.x) / layout.height_px - 2.0 * kBandMargin;
   double left = kBandMargin + afterText(line);
   int right_px = layout.size_px.x - px(kBandMargin);
   for (std::size_t i = 0; i < line.chips.size(); ++i) {
     const HudChip& chip = line.chips[i];
-    const int width_px = px(widthOf(chip));
+    const double width = std::min(widthOf(chip), most);  // a longer one gets smaller letters
+    const int width_px = px(width);
     const int from_px = chip.atRight ? right_px - width_px : px(left);
     if (chip.atRight) {
       right_px = from_px - px(kChipGap);
     } else {
-      left += widthOf(chip) + kChipGap;
+      left += width + kChipGap;
     }
     layout.buttons.push_back(
         {chip.action,
@@ -57,7 +59,8 @@ void layOut(const Wall& wall, const glm::ivec2& picture_px, std::span<const HudL
   layout.buttons.clear();
   const double letters_px = PanelPlace::bandLetter(wall) * picture_px.y;
   const double most_px = PanelPlace::mostOfBand(wall) * picture_px.y / heightOf(lines);
-  layout.height_px = std::max(1, static_cast<int>(std::min(std::ceil(letters_px), most_px)));
+  const double least_px = std::min<double>(leastLetter_px(), std::ceil(letters_px));
+  layout.height_px = std::max(1, static_cast<int>(std::clamp(most_px, least_px, std::ceil(letters_px))));
   layout.size_px = {picture_px.x, static_cast<int>(heightOf(lines) * layout.height_px)};
   int top_px = layout.size_px.y - layout.height_px / 2;
   const int margin_px = static_cast<int>(0.5 * kBandMargin * layout.height_px);
@@ -110,7 +113,7 @@ bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wal
     for (std::uint8_t answer = 0; answer <= words.answers.size(); ++answer) {
       FrameRecord record;
       record.lesson = {phase, answer};
-      describe(record, words, plan, {}, bandLetters(wall), lines);
+      describe(record, words, plan, {}, bandRoom(wall), lines);
       if (heightOf(lines) * PanelPlace::bandLetter(wall) > PanelPlace::mostOfBand(wall)) return false;
     }
   }

@@ -54,7 +54,4 @@ void addBand(const Wall& wall, std::span<const HudLine> lines, std::vector<WallB
 /// Returns whether the band shows the lesson's longest text on this wall in letters of their full height.
 bool bandHolds(const LessonWords& words, const LessonPlan& plan, const Wall& wall);
 
-/// Returns where the band's text begins, in the height of its letters.
-inline constexpr double kBandMargin = 1.25;
-
 }  // namespace carom

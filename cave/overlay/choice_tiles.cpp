@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include "cave/overlay/hud_line.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/key_names.h"
 #include "cave/texts/texts.h"
@@ -19,10 +20,10 @@ constexpr glm::vec3 kOnTile(240.0F), kOnPointed(15.0F);
 bool isFlat(const glm::ivec2& tile_px) { return tile_px.y < kFlat * tile_px.x; }
 
 /// Returns the name of an action and its key.
-std::pair<texts::Text, texts::Text> textsOf(const WallAction& action) {
+std::pair<std::string_view, std::string_view> textsOf(const WallAction& action) {
   switch (action.kind) {
     case WallAction::Kind::choice:
-      return {texts::kChoices.at(action.number), texts::kChoiceKeys.at(action.number)};
+      return {texts::tile::kChoices.at(action.number), texts::tile::kChoiceKeys.at(action.number)};
     case WallAction::Kind::goOn:
       return {texts::tile::kBestShot, texts::keys::kEnterKey};
     case WallAction::Kind::home:
@@ -67,10 +68,16 @@ const ChoiceTiles::Label& ChoiceTiles::labelOf(const Painted& tile) {
       key_px = std::max(1, (flat ? 40 : 25) * tile_px.y / 100);
   Label label{action, language, tile_px, ink(name, name_px), ink(key, key_px)};
   const int most_px = 92 * tile_px.x / 100;
-  const int wide_px = label.name.size_px.x + (flat ? tile_px.y / 3 + label.key.size_px.x : 0);
+  const int least_px = std::min(leastLetter_px(), name_px), name_wide_px = label.name.size_px.x;
+  int wide_px = name_wide_px + (flat ? tile_px.y / 3 + label.key.size_px.x : 0);
+  const bool hasKey = !flat || wide_px <= most_px || name_px * most_px / wide_px >= least_px;
+  if (!hasKey) {  // the list of keys has it
+    label.key = {};
+    wide_px = name_wide_px;
+  }
   if (wide_px > most_px) {  // smaller letters
-    label.name = ink(name, std::max(1, name_px * most_px / wide_px));
-    label.key = ink(key, std::max(1, key_px * most_px / wide_px));
+    label.name = ink(name, std::max(least_px, name_px * most_px / wide_px));
+    if (hasKey) label.key = ink(key, std::max(1, key_px * most_px / wide_px));
   }
   labels_.push_back(std::move(label));
   return labels_.back();

@@ -9,8 +9,7 @@
 #include "cave/overlay/panel_place.h"
 #include "cave/overlay/wall_buttons.h"
 #include "cave/room/off_axis.h"
-#include "cave/texts/class_texts.h"
-#include "cave/texts/page_texts.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -49,21 +48,22 @@ bool hasCode(const ClassView& view) { return view.phase != ClassPhase::explained
 
 std::vector<std::string> classLines(const ClassView& view) {
   const std::string address(view.address.words());
-  if (!hasClass(view)) return {texts::page::kTakeHome, address, texts::page::kForAnHour};
-  const std::string room = fmt::format(texts::classroom::kRoom, view.word.words());
+  if (!hasClass(view)) return {texts::page::kTakeHome.words(), address, texts::page::kForAnHour.words()};
+  const std::string room = texts::format(texts::classroom::kRoom, view.word.words());
   const bool isTooFew = view.answered > 0 && !isCounted(view, 0) && !isCounted(view, 1);
   switch (view.phase) {
     case ClassPhase::idle:
-      return {texts::classroom::kJoin, address, room, fmt::format(texts::classroom::kPhones, view.phones)};
+      return {texts::classroom::kJoin.words(), address, room,
+              texts::format(texts::classroom::kPhones, view.phones)};
     case ClassPhase::vote:
-      return {fmt::format(texts::classroom::kVote, view.round, view.answered, view.phones), address, room};
+      return {texts::format(texts::classroom::kVote, view.round, view.answered, view.phones), address, room};
     case ClassPhase::closed: {
-      std::vector<std::string> lines{fmt::format(texts::classroom::kClosed, view.round, view.answered)};
+      std::vector<std::string> lines{texts::format(texts::classroom::kClosed, view.round, view.answered)};
       if (isTooFew) lines.emplace_back(texts::classroom::kTooFew);
       return lines;
     }
     case ClassPhase::discuss:
-      return {texts::classroom::kDiscuss};
+      return {texts::classroom::kDiscuss.words()};
     default:
       return {};
   }
@@ -142,7 +142,7 @@ void ClassBoard::paintBars(int top_px) {
   const int small_px = std::max(8, px(0.85));
   for (std::size_t answer = 0; answer < view_.choices; ++answer) {
     const bool isRight = view_.right == answer + 1;
-    const std::string number = texts::lesson::kAnswerNumbers.at(answer);
+    const std::string number(kAnswerNumbers.at(answer));
     for (std::size_t vote = 0; vote < kVotes; ++vote) {
       if (!isCounted(view_, vote)) continue;
       top_px -= px(kBarPitch);
@@ -153,7 +153,8 @@ void ClassBoard::paintBars(int top_px) {
       panel_.fill({bar_left_px, top_px}, bar_px, kBars[vote]);
       panel_.write({bar_left_px + bar_px.x + px(0.3), top_px}, ink(std::to_string(count), small_px), kWhite);
       if (vote > 0 && isCounted(view_, 0)) continue;
-      panel_.write({left_px, top_px}, ink(isRight ? number + texts::classroom::kRight : number, small_px),
+      panel_.write({left_px, top_px},
+                   ink(isRight ? number + texts::classroom::kRight.words() : number, small_px),
                    isRight ? kGreen : kWhite);
     }
     top_px -= px(kPairGap);

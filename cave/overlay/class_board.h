@@ -45,7 +45,7 @@ class ClassBoard {
   ClassView view_;            ///< as it is painted
   glm::ivec2 picture_px_{0};  ///< size of the picture that it is painted for
   QrCode code_;
-  Notice coded_;  ///< what the code says
+  ShortText<120> coded_;  ///< what the code says
   std::vector<Line> lines_;
   int letter_px_ = 1, module_px_ = 1;
   glm::ivec2 size_px_{0};

@@ -6,13 +6,14 @@
 #include <numbers>
 #include <optional>
 
-#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "cave/gl/gl_state_guard.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
+#include "engine/base/code_points.h"
 
 namespace carom {
 namespace {
@@ -50,6 +51,14 @@ std::string_view strokesOf(char letter) {
     default:
       return {};
   }
+}
+
+/// Returns the letter that the pen writes for a sign: a blank for one that keeps a number and its unit
+/// together.
+char penned(std::optional<char32_t> sign) {
+  constexpr std::array<char32_t, 3> kBlanks{0x00A0, 0x2009, 0x202F};
+  if (!sign || std::find(kBlanks.begin(), kBlanks.end(), *sign) != kBlanks.end()) return ' ';
+  return *sign < 0x80 ? static_cast<char>(*sign) : '?';
 }
 
 /// Returns the speed, in units of c, of u = γβ.
@@ -119,7 +128,9 @@ void CueOverlay::addDot(const FacingPlane& plane, double radius_m, const glm::ve
 /// Adds text whose lower left end is at (across, upwards).
 void CueOverlay::addText(const FacingPlane& plane, double across, double upwards, double height,
                          std::string_view text) {
-  for (const char letter : text) {
+  while (!text.empty()) {
+    const char letter = penned(takeCodePoint(text));
+    const bool isPoint = letter == '.' || letter == ',';
     const double grid = (letter == '^' ? 0.5 : 1.0) * height / 4.0,
                  foot = upwards + (letter == '^' ? height / 2.0 : 0.0);
     const double half_m = 0.4 * grid * plane.distance_m;
@@ -138,7 +149,8 @@ void CueOverlay::addText(const FacingPlane& plane, double across, double upwards
       }
     }
     if (letter == '.') stroke({-0.01, 0.0}, {0.01, 0.0});
-    across += grid * (letter == '.' ? 1.2 : letter == ' ' ? 1.6 : 3.2);
+    if (letter == ',') stroke({0.0, 0.0}, {-0.3, -0.8});
+    across += grid * (isPoint ? 1.2 : letter == ' ' ? 1.6 : 3.2);
   }
 }
 
@@ -224,10 +236,8 @@ void CueOverlay::addScale(const HandView& hand, const ForceView& force, const Fa
     addText(target, aside + kBar + 0.014, tick - 0.5 * kTickDigits, kTickDigits, texts::cue::kMarks[i]);
   }
   std::array<char, 24> words{};
-  const auto say = [&](double upwards, fmt::format_string<double&> format, double value,
-                       double height = kDigits) {
-    const auto said = fmt::format_to_n(words.data(), words.size(), format, value);
-    addText(target, aside - kBar, foot + upwards, height, {words.data(), said.size});
+  const auto say = [&](double upwards, const texts::Text& format, double value, double height = kDigits) {
+    addText(target, aside - kBar, foot + upwards, height, texts::formatTo(words, format, value));
   };
   say(-0.042, texts::cue::kSpeed, betaOf(hand.u));
   say(-0.080, texts::cue::kEnergy, cost);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -11,6 +12,7 @@
 #include "cave/overlay/comfort_overlay.h"
 #include "cave/overlay/hud_text.h"
 #include "cave/room/off_axis.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -99,7 +101,10 @@ void HomeArrow::draw(const RoomGeometry& room, const Wall& front, const glm::dve
   if (height_px != height_px_ || distance_m != distance_m_) {
     height_px_ = height_px;
     distance_m_ = distance_m;
-    const GlyphBitmap text = ink(fmt::format(texts::message::kWayHome, distance_m), height_px);
+    const std::string words = texts::format(texts::message::kWayHome, distance_m);
+    const int room_px = picture.size_px().x - height_px;
+    GlyphBitmap text = ink(words, height_px);
+    if (text.size_px.x > room_px) text = ink(words, std::max(8, height_px * room_px / text.size_px.x));
     words_.begin(text.size_px + glm::ivec2(height_px), {10, 14, 20, 190});
     words_.write(glm::ivec2(height_px / 2), text, glm::vec3(245.0F));
     words_.upload();

@@ -1,5 +1,6 @@
 #pragma once
-// A line of the panel on the front wall, and how wide its parts are, by the number of their letters.
+// A line of the panel on the front wall, and how wide its parts are, by the number of their letters; wider
+// where these letters are.
 
 #include <cstddef>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/frame/wall_action.h"
+#include "cave/overlay/line_breaks.h"
 #include "cave/room/wall.h"
 
 namespace carom {
@@ -36,19 +38,33 @@ struct HudLine {
   bool operator==(const HudLine&) const = default;
 };
 
-inline constexpr std::size_t kLineLetters = 40;  ///< without a lesson; longer words are not divided
+/// The room of a line without a lesson, and of an entry of the legend, where the widest letters of English
+/// need no more.
+inline constexpr LineRoom kPanelRoom{40, 24.0}, kLegendRoom{100, 60.0};
 
-/// Returns how many letters a line of the band has on a wall.
-std::size_t bandLetters(const Wall& wall);
+/// What English has at its places stays as it always was. Other languages have no letters lower than this,
+/// and their long entries of the legend are broken like other lines.
+inline constexpr int kLeastLetter_px = 9;
+bool isEnglish();
+/// Returns the height below which letters do not shrink.
+int leastLetter_px();
+/// Returns the room of an entry of the legend.
+LineRoom legendRoom();
+
+/// Returns the room of a line of the band on a wall.
+LineRoom bandRoom(const Wall& wall);
+/// Returns what is left of a line that is indented.
+LineRoom behindIndent(const LineRoom& room);
 
 // In the nominal height of the letters.
-inline constexpr double kChipPadding = 0.6, kChipGap = 0.5;
+inline constexpr double kChipPadding = 0.6, kChipGap = 0.5, kIndent = 1.6;
+inline constexpr double kBandMargin = 1.25;  ///< where the band's text begins
 /// Returns how wide a chip is, with its padding.
 double widthOf(const HudChip& chip);
 /// Returns where the first chip behind a line's text begins, from where the text does.
 double afterText(const HudLine& line);
 
-/// Returns whether the chip fits behind the text and the chips of a line with room for so many letters.
-bool chipFits(const HudLine& line, const HudChip& chip, std::size_t letters);
+/// Returns whether the chip fits behind the text and the chips of a line.
+bool chipFits(const HudLine& line, const HudChip& chip, const LineRoom& room);
 
 }  // namespace carom

@@ -25,7 +25,7 @@ int beginOf_px(const HudLine& line, int height_px) { return line.setIn ? 8 * hei
 GlyphBitmap inkWithin(const std::string& text, int height_px, int most_px) {
   GlyphBitmap written = ink(text, height_px);
   if (written.size_px.x <= most_px || most_px <= 0) return written;
-  return ink(text, std::max(1, height_px * most_px / written.size_px.x));
+  return ink(text, std::max(std::min(leastLetter_px(), height_px), height_px * most_px / written.size_px.x));
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ void HudPanel::writePanel(const glm::ivec2& picture_px, const Wall& wall) {
   const double high = (kLine * static_cast<double>(lines_.size()) + 1.0) * height_px;
   const double share = std::min(PanelPlace::kMostOfWidth * picture_px.x / wide,
                                 PanelPlace::kMostOfHeight * picture_px.y / high);
-  if (share < 1.0) inkLines(std::max(1, static_cast<int>(share * height_px)));
+  if (share < 1.0) inkLines(std::max(leastLetter_px(), static_cast<int>(share * height_px)));
 }
 
 /// Renders the letters of the band. Lines are as long as they should be; what is longer all the same gets

@@ -14,7 +14,7 @@
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/room/off_axis.h"
-#include "cave/texts/class_texts.h"
+#include "cave/texts/format.h"
 #include "cave/texts/key_names.h"
 #include "cave/texts/texts.h"
 #include "engine/spacetime/lorentz.h"
@@ -24,79 +24,83 @@ namespace {
 
 using Kind = WallAction::Kind;
 
-constexpr std::size_t kIndentLetters = 3;  // as wide as the indent of a line
 constexpr glm::vec3 kSeenMark(0.92F);
 
 /// Builds the lines, one after the other, in memory that is reused.
 class Lines {
  public:
-  Lines(std::vector<HudLine>& lines, std::size_t letters) : lines_(lines), letters_(letters) {}
+  Lines(std::vector<HudLine>& lines, const LineRoom& room) : lines_(lines), room_(room) {}
   ~Lines() { lines_.resize(count_); }
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
+  /// Adds an entry of the legend: a line, or more if it is long.
   template <typename... Values>
-  void add(const std::optional<glm::vec3>& mark, fmt::format_string<Values...> words, Values&&... values) {
-    if (count_ == lines_.size()) lines_.emplace_back();
-    HudLine& line = lines_[count_++];
-    line.mark = mark;
-    line.urgent = line.setIn = false;
-    line.row = {};
-    line.chips.clear();
-    line.text.clear();
-    fmt::format_to(std::back_inserter(line.text), words, std::forward<Values>(values)...);
+  void add(const std::optional<glm::vec3>& mark, texts::CheckedText<Values...> words,
+           const Values&... values) {
+    entry_.clear();
+    texts::formatTo(entry_, words, values...);
+    addEntry(mark, entry_);
+  }
+
+  /// Adds an entry of these words.
+  void addEntry(const std::optional<glm::vec3>& mark, std::string_view words) {
+    breaker_.begin(words);
+    const LineRoom room = legendRoom();
+    begin(breaker_.take(room)).mark = mark;
+    while (!breaker_.isAtEnd()) begin(breaker_.take(behindIndent(room))).setIn = true;
   }
 
   /// Adds as many lines as the text needs; the first begins with `first` and the following ones are indented.
   /// With a `row` they are a button.
   void wrap(std::string_view words, std::string_view first = {}, bool urgent = false, WallAction row = {}) {
-    for (bool begins = true; !words.empty(); begins = false) {
-      const std::size_t taken = first.empty() ? 0 : begins ? first.size() : kIndentLetters;
-      const std::size_t bytes = fitting(words, letters_ - std::min(taken, letters_ - 1));
-      add({}, "{}{}", begins ? first : std::string_view(), words.substr(0, bytes));
-      lines_[count_ - 1].urgent = urgent;
-      lines_[count_ - 1].row = row;
-      lines_[count_ - 1].setIn = !begins && !first.empty();
-      words.remove_prefix(std::min(words.size(), bytes + 1));  // including the space
+    breaker_.begin(words);
+    for (bool begins = true; !breaker_.isAtEnd(); begins = false) {
+      HudLine& line = begin(begins ? first : std::string_view());
+      line.text += breaker_.take(first.empty() ? room_ : begins ? behind(first) : behindIndent(room_));
+      line.urgent = urgent;
+      line.row = row;
+      line.setIn = !begins && !first.empty();
     }
   }
 
   /// Adds a line that begins with these words and goes on with chips; more lines if the chips need them.
   void addChips(std::string_view words, std::span<const HudChip> chips) {
-    add({}, "{}", words);
+    begin(words);
     for (const HudChip& chip : chips) {
-      if (!chipFits(lines_[count_ - 1], chip, letters_)) add({}, "");
+      if (!chipFits(lines_[count_ - 1], chip, room_)) begin({});
       lines_[count_ - 1].chips.push_back(chip);
     }
   }
 
  private:
-  /// Returns whether a space stands before a unit, as in "0.6 c" and "2.84 m".
-  static bool beforeUnit(std::string_view words, std::size_t space) {
-    const auto letter = [&](std::size_t at) {
-      return at < words.size() && words[at] >= 'a' && words[at] <= 'z';
-    };
-    return space > 0 && words[space - 1] >= '0' && words[space - 1] <= '9' && letter(space + 1) &&
-           !letter(space + 2);
+  /// Begins a line with these words.
+  HudLine& begin(std::string_view words) {
+    if (count_ == lines_.size()) lines_.emplace_back();
+    HudLine& line = lines_[count_++];
+    line.mark.reset();
+    line.urgent = line.setIn = false;
+    line.row = {};
+    line.chips.clear();
+    line.text.assign(words);
+    return line;
   }
 
-  /// Returns how many bytes of whole words have at most this many letters; if the first word has more, its
-  /// bytes alone.
-  static std::size_t fitting(std::string_view words, std::size_t most) {
-    std::size_t letters = 0, fits = 0;
-    for (std::size_t i = 0; i <= words.size(); ++i) {
-      const bool ends = i == words.size() || (words[i] == ' ' && !beforeUnit(words, i));
-      if (ends && (letters <= most || fits == 0)) fits = i;
-      if (ends && letters >= most) break;
-      if (ends || (static_cast<unsigned char>(words[i]) & 0xC0U) != 0x80U) ++letters;
-    }
-    return fits;
+  /// Returns what is left of a line that begins with these words.
+  LineRoom behind(std::string_view words) const {
+    return {room_.columns - std::min(columnsOf(words), room_.columns - 1),
+            std::max(room_.width_em - widthOf_em(words), 0.0)};
   }
 
   std::vector<HudLine>& lines_;
-  std::size_t letters_;
+  LineRoom room_;
+  static thread_local LineBreaker breaker_;
+  static thread_local std::string entry_;
   std::size_t count_ = 0;
 };
+
+thread_local LineBreaker Lines::breaker_;
+thread_local std::string Lines::entry_;
 
 void addLight(const SeenFrame& seen, Lines& lines) {
   lines.add({}, texts::legend::kLight, seen.record.lightSpeed_m_s);
@@ -112,10 +116,11 @@ void addScore(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   if (count < 2) return lines.add({}, texts::legend::kScore, seen.self.score.caroms, seen.self.score.strokes);
   for (std::size_t i = 0; i < count; ++i) {
     const Score& score = seen.inOrder(i).score;
-    lines.add({}, texts::legend::kScoreOf, i == 0 ? std::string_view(texts::legend::kMe) : viewers[i].name,
-              score.caroms, score.strokes);
+    lines.add({}, texts::legend::kScoreOf,
+              i == 0 ? std::string_view(texts::legend::kMe) : std::string_view(viewers[i].name), score.caroms,
+              score.strokes);
   }
-  if (seen.self.hasTurn) lines.add({}, "{}", texts::legend::kYourTurn);
+  if (seen.self.hasTurn) lines.add({}, texts::legend::kYourTurn);
   for (std::size_t i = 1; i < count; ++i) {
     if (seen.inOrder(i).hasTurn) lines.add({}, texts::legend::kTheirTurn, viewers[i].name);
   }
@@ -129,10 +134,10 @@ void addOtherClocks(const SeenFrame& seen, Viewers viewers, Lines& lines) {
     const double older_s = own_s - seen.self.observer.properTime_s;
     if (std::abs(older_s) < kShown_s) {
       lines.add({}, texts::legend::kAsOld, viewers[i].name, shownTime_s(own_s));
+    } else if (older_s > 0.0) {
+      lines.add({}, texts::legend::kOlder, viewers[i].name, shownTime_s(own_s), older_s);
     } else {
-      const texts::Text words = older_s > 0.0 ? texts::legend::kOlder : texts::legend::kYounger;
-      lines.add({}, "{}",
-                fmt::format(fmt::runtime(words), viewers[i].name, shownTime_s(own_s), std::abs(older_s)));
+      lines.add({}, texts::legend::kYounger, viewers[i].name, shownTime_s(own_s), -older_s);
     }
   }
 }
@@ -158,7 +163,7 @@ HudChip chip(Kind kind, std::string_view words, std::uint8_t number = 0) {
 void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudChip> chips, bool mayLeave,
                 Lines& lines) {
   if (seen.record.views.frozen) chips.push_back(chip(Kind::unfreeze, texts::lesson::kTimeGoesOn));
-  HudChip leave{actionOf(Choice::play), texts::lesson::kLeave};
+  HudChip leave{actionOf(Choice::play), texts::lesson::kLeave.words()};
   leave.atRight = true;
   if (mayLeave) chips.push_back(leave);
   lines.addChips(words, chips);
@@ -166,11 +171,10 @@ void addButtons(const SeenFrame& seen, std::string_view words, std::vector<HudCh
 
 void addQuestion(const SeenFrame& seen, const LessonWords& lesson, bool mayLeave, Lines& lines) {
   lines.wrap(lesson.question, texts::lesson::kQuestion);
-  constexpr auto& kNumbers = texts::lesson::kAnswerNumbers;
   const bool isByPhone = hasClass(seen.record.classroom);
-  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kNumbers.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(lesson.answers.size(), kAnswerNumbers.size()); ++i) {
     const WallAction row{Kind::choose, static_cast<std::uint8_t>(i + 1)};
-    lines.wrap(lesson.answers[i], kNumbers[i], false, isByPhone ? WallAction{} : row);
+    lines.wrap(lesson.answers[i], kAnswerNumbers[i], false, isByPhone ? WallAction{} : row);
   }
   if (isByPhone) return addButtons(seen, texts::classroom::kByPhone, {}, mayLeave, lines);
   addButtons(seen, texts::lesson::kChoose, {chip(Kind::goOn, texts::lesson::kSkip)}, mayLeave, lines);
@@ -180,7 +184,7 @@ void addQuestion(const SeenFrame& seen, const LessonWords& lesson, bool mayLeave
 void addReadings(const SeenFrame& seen, const LessonPlan& plan, std::string readings, Lines& lines) {
   for (const Stopwatch& watch : plan.stopwatches) {
     if (!readings.empty()) readings += "    ";
-    readings += fmt::format(
+    readings += texts::format(
         texts::lesson::kReading, watch.name,
         reading_s(watch, {seen.self.observer, seen.record.boardFromRoom, seen.record.lesson.phase}));
   }
@@ -193,7 +197,8 @@ void addObservers(const SeenFrame& seen, const LessonPlan& plan, Lines& lines) {
   const auto present = observerOf(plan, seen.record.boardFromRoom);
   std::vector<HudChip> offered;
   for (std::size_t i = 0; i < plan.observers.size(); ++i) {
-    offered.push_back(chip(Kind::choose, fmt::format(texts::lesson::kObserver, plan.observers[i].name, i + 2),
+    offered.push_back(chip(Kind::choose,
+                           texts::format(texts::lesson::kObserver, plan.observers[i].name, i + 2),
                            static_cast<std::uint8_t>(i + 1)));
     offered.back().isOn = present == i;
   }
@@ -206,15 +211,15 @@ void addAnswer(const LessonWords& lesson, std::uint8_t answer, Lines& lines) {
   const bool isHidden = lesson.right >= lesson.answers.size();
   const std::string words = isHidden ? given
                             : answer - 1U == lesson.right
-                                ? fmt::format(texts::lesson::kRight, given)
-                                : fmt::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
+                                ? texts::format(texts::lesson::kRight, given)
+                                : texts::format(texts::lesson::kWrong, given, lesson.answers[lesson.right]);
   lines.wrap(words, texts::lesson::kYourAnswer);
 }
 
 /// Returns how the lesson's pace is told, or nothing.
 std::string paceWords(const LessonPlan& plan) {
   const double slowness = plan.interval.slowness;
-  return slowness > 1.0 ? fmt::format(texts::lesson::kSlowMotion, slowness) : "";
+  return slowness > 1.0 ? texts::format(texts::lesson::kSlowMotion, slowness) : "";
 }
 
 /// Adds what to press while the lesson explains.
@@ -279,10 +284,10 @@ void addEffects(const Switches& switches, Lines& lines) {
     const bool isOn = switches.*effect.value != 0;
     if (isOn == (kUsual.*effect.value != 0)) continue;
     std::string& all = isOn ? on : off;
-    all += (all.empty() ? "" : ", ") + std::string(effect.words);
+    all += (all.empty() ? "" : ", ") + std::string(effect.words.words());
   }
-  if (!off.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOff, off));
-  if (!on.empty()) lines.wrap(fmt::format(texts::legend::kEffectsOn, on));
+  if (!off.empty()) lines.wrap(texts::format(texts::legend::kEffectsOff, off));
+  if (!on.empty()) lines.wrap(texts::format(texts::legend::kEffectsOn, on));
 }
 
 void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
@@ -298,7 +303,7 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
   for (const NamedView& view : kNamedViews) {
     if (!view.legend || !(views.*view.value)) continue;
     const bool isEvents = view.value == &TimeViews::events;
-    lines.add(isEvents ? std::optional(kEventColour) : std::nullopt, "{}", view.legend);
+    lines.addEntry(isEvents ? std::optional(kEventColour) : std::nullopt, view.legend);
     if (isEvents) lines.add(kFlashColour, texts::legend::kFlash);
   }
   if (views.frozen) lines.add({}, texts::legend::kFrozen);
@@ -311,8 +316,8 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
 }  // namespace
 
 void describe(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
-              std::size_t letters, std::vector<HudLine>& words, bool mayLeave) {
-  Lines lines(words, letters);
+              const LineRoom& room, std::vector<HudLine>& words, bool mayLeave) {
+  Lines lines(words, room);
   lines.wrap(seen.self.notice.words(), {}, true);
   addLesson(seen, lesson, plan, viewers, mayLeave, lines);
   if (seen.record.lesson.phase == LessonPhase::none) {
@@ -325,7 +330,7 @@ void describe(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan
 }
 
 void HudText::setWall(const Wall& wall, std::span<const RoomViewer> viewers) {
-  bandLetters_ = bandLetters(wall);
+  bandRoom_ = bandRoom(wall);
   viewers_.assign(viewers.begin(), viewers.end());
 }
 
@@ -349,7 +354,7 @@ bool HudText::follow(const SeenFrame& seen) {
   notice_ = seen.self.notice;
   language_ = seen.self.language;
   isBand_ = seen.record.lesson.phase != LessonPhase::none;
-  describe(seen, lesson_, plan_, viewers_, isBand_ ? bandLetters_ : kLineLetters, lines_, mayLeave_);
+  describe(seen, lesson_, plan_, viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_);
   return true;
 }
 

@@ -15,7 +15,7 @@
 
 namespace carom {
 
-/// Fills `lines`, whose memory is reused, with the session's text, in lines of `letters`: what was just
+/// Fills `lines`, whose memory is reused, with the session's text, in lines of this room: what was just
 /// refused or has happened; the lesson's texts for the record's phase, or without a lesson the views of time
 /// that are on, each with the colour it is drawn in; with `clocks`, the person's own clock, their speed on
 /// the board and the speed of light; with the tracker crosses, what the stereo check
@@ -24,7 +24,7 @@ namespace carom {
 /// order; where there are several, the score is each one's, and the clocks compare theirs with that of the
 /// first. `mayLeave`: a lesson has the button that leaves it.
 void describe(const SeenFrame& seen, const LessonWords& words, const LessonPlan& plan,
-              std::span<const RoomViewer> viewers, std::size_t letters, std::vector<HudLine>& lines,
+              std::span<const RoomViewer> viewers, const LineRoom& room, std::vector<HudLine>& lines,
               bool mayLeave = true);
 
 /// Follows the frames and keeps the lines up to date.
@@ -52,7 +52,7 @@ class HudText {
   LessonWords lesson_;
   LessonPlan plan_;
   std::vector<RoomViewer> viewers_;
-  std::size_t bandLetters_ = kLineLetters;
+  LineRoom bandRoom_ = kPanelRoom;
   bool isBand_ = false, mayLeave_ = true;
   std::int64_t tenths_s_ = -1;  ///< time of the last description, in tenths
 };

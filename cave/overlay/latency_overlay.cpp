@@ -1,6 +1,7 @@
 #include "cave/overlay/latency_overlay.h"
 
 #include "cave/gl/gui.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 
 #include <fmt/format.h>
@@ -85,7 +86,7 @@ void drawNodes(const LatencyView& view) {
     number_ms(node.late.jitter_s);
     ImGui::TableNextColumn();
     ImGui::TextColored(colourOf(node.lock), "%s",
-                       texts::latency::kLockStates[static_cast<std::size_t>(node.lock)]);
+                       texts::latency::kLockStates[static_cast<std::size_t>(node.lock)].words());
   }
   ImGui::EndTable();
 }
@@ -110,11 +111,12 @@ void drawWalls(std::span<const WallTime> walls) {
 }  // namespace
 
 void drawLatencyNumbers(const LatencyView& view) {
-  ImGui::TextUnformatted(fmt::format(texts::latency::kNode, view.node, view.frame, view.display_hz).c_str());
+  ImGui::TextUnformatted(
+      texts::format(texts::latency::kNode, view.node, view.frame, view.display_hz).c_str());
   ImGui::TextUnformatted(texts::latency::kFrameLock);
   ImGui::SameLine();
   ImGui::TextColored(colourOf(view.lock), "%s",
-                     texts::latency::kLockStates[static_cast<std::size_t>(view.lock)]);
+                     texts::latency::kLockStates[static_cast<std::size_t>(view.lock)].words());
   if (!view.lockWhyNot.empty()) {
     ImGui::SameLine();
     ImGui::TextColored(kBad, "(%s)", view.lockWhyNot.c_str());

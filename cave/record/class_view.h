@@ -32,8 +32,8 @@ struct ClassView {
   std::uint64_t answered = 0;               ///< in the present or latest vote
   std::uint64_t phones = 0;                 ///< that have joined
   std::array<VoteCounts, kVotes> counts{};  ///< all zero while a vote may not be shown
-  Notice address;                           ///< of the pages, or of one to take home
-  Notice word;                              ///< of the room whose class it is; empty: for a page to take home
+  ShortText<120> address;                   ///< of the pages, or of one to take home
+  ShortText<120> word;                      ///< of the room whose class it is; empty: for a page to take home
 
   bool operator==(const ClassView&) const = default;
 };

@@ -40,8 +40,9 @@ class Digest : public FieldVisitor {
   void operator()(const char*, const Value& value, const FieldKind& kind) {
     eachNumber(value, kind, [this](const char*, double number) { *this << number; });
   }
-  void operator()(const char*, const Notice& notice, const FieldKind&) {
-    digest_ = XXH3_64bits_withSeed(notice.text.data(), notice.text.size(), digest_);
+  template <std::size_t bytes>
+  void operator()(const char*, const ShortText<bytes>& words, const FieldKind&) {
+    digest_ = XXH3_64bits_withSeed(words.text.data(), words.text.size(), digest_);
   }
   template <typename Flags, typename Row, std::size_t rows>
   void operator()(const char*, const Flags& flags, const std::array<Row, rows>& named) {

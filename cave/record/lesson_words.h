@@ -1,15 +1,20 @@
 #pragma once
 // A lesson: a game with short texts, a question before it and a number that explains it.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carom {
 
 /// The most answers that a lesson can have: as many as a gamepad has buttons for.
 inline constexpr std::size_t kMostAnswers = 4;
+
+/// What stands before the answers on walls and in windows.
+inline constexpr std::array<std::string_view, kMostAnswers> kAnswerNumbers{"1   ", "2   ", "3   ", "4   "};
 
 /// The texts of a lesson. They are short, because they are read from a wall.
 struct LessonWords {

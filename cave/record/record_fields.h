@@ -133,7 +133,8 @@ void visit(Viewer& viewer, Fields& fields) {
   visit(viewer.tracked, fields);
   visit(viewer.hand, fields);
   fields.section(FrameSection::switches);
-  fields("notice", viewer.notice, kText);
+  fields("notice", viewer.notice.english, kText);
+  fields("notice_said", viewer.notice.said, kText);
   visit(viewer.score, fields);
   fields("has_turn", viewer.hasTurn, kFlag.in(Stored::ofOthers));
   fields("language", viewer.language, FieldKind{0.0, kMostLanguages - 1});

@@ -65,8 +65,9 @@ class Rules : public FieldVisitor {
       refuse("{}{} has light at {} m/s, expected the game's {}", what_, name, c_m_s, gameLightSpeed_m_s_);
     if (!isLorentz(transform)) refuse("{}{} is no Lorentz transform", what_, name);
   }
-  void operator()(const char* name, const Notice& notice, const FieldKind&) const {
-    if (notice.text.back() != 0) refuse("{}{} has no end", what_, name);
+  template <std::size_t bytes>
+  void operator()(const char* name, const ShortText<bytes>& words, const FieldKind&) const {
+    if (words.text.back() != 0) refuse("{}{} has no end", what_, name);
   }
   template <typename Flags, typename Row, std::size_t rows>
   void operator()(const char*, const Flags& flags, const std::array<Row, rows>& named) const {

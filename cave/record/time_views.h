@@ -40,22 +40,21 @@ struct NamedView {
   int key;            ///< that turns it: a letter, a sign or kKeyF11
   texts::Text words;  ///< what the key does
   texts::Text tip;
-  texts::Text legend;  ///< null: the legend tells of it in another way (cave/overlay/hud_text.cpp)
+  texts::Text legend;  ///< none: the legend tells of it in another way (cave/overlay/hud_text.cpp)
   bool isMark;         ///< it is drawn among the bodies (cave/render/spacetime_marks.h)
 };
 
 /// A session file stores them as one number, whose bits are in this order.
 inline constexpr std::array<NamedView, 14> kNamedViews{{
-    {"board-now", &TimeViews::boardNow, 'N', texts::keys::kBoardNow, texts::console::kBoardNowTip, nullptr,
-     true},
-    {"my-now", &TimeViews::myNow, 'M', texts::keys::kMyNow, texts::console::kMyNowTip, nullptr, true},
+    {"board-now", &TimeViews::boardNow, 'N', texts::keys::kBoardNow, texts::console::kBoardNowTip, {}, true},
+    {"my-now", &TimeViews::myNow, 'M', texts::keys::kMyNow, texts::console::kMyNowTip, {}, true},
     {"paths", &TimeViews::paths, 'P', texts::keys::kPaths, texts::console::kPathsTip, texts::legend::kPaths,
      true},
     {"events", &TimeViews::events, 'E', texts::keys::kEvents, texts::console::kEventsTip,
      texts::legend::kEvents, true},
-    {"clocks", &TimeViews::clocks, 'C', texts::keys::kClocks, texts::console::kClocksTip, nullptr, true},
-    {"split", &TimeViews::split, 'V', texts::keys::kSplit, texts::console::kSplitTip, nullptr, false},
-    {"frozen", &TimeViews::frozen, 'F', texts::keys::kFreeze, texts::console::kFrozenTip, nullptr, false},
+    {"clocks", &TimeViews::clocks, 'C', texts::keys::kClocks, texts::console::kClocksTip, {}, true},
+    {"split", &TimeViews::split, 'V', texts::keys::kSplit, texts::console::kSplitTip, {}, false},
+    {"frozen", &TimeViews::frozen, 'F', texts::keys::kFreeze, texts::console::kFrozenTip, {}, false},
     {"ruler", &TimeViews::ruler, 'U', texts::keys::kRuler, texts::console::kRulerTip, texts::legend::kRuler,
      true},
     {"angles", &TimeViews::angles, 'O', texts::keys::kAngles, texts::console::kAnglesTip,

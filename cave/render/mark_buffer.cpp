@@ -24,8 +24,6 @@ constexpr float kFlat = 0.0F;
 constexpr float kGlow = -1.0F;
 constexpr float kDisc = -2.0F;
 constexpr int kShape = 16;
-const std::string kCells =
-    fmt::format("const vec2 kCells = vec2({}.0, {}.0);\n", kLetterColumns, kLetterRows);
 constexpr std::array<double, 3> kMargins{0.12, 0.30, 0.20};  // on either side, for each shape
 constexpr std::size_t kLettersInAFloat = 3;                  // of 8 bits: as many as it holds exactly
 
@@ -35,6 +33,13 @@ glm::vec4 packed(const PlateText& text) {
     in[static_cast<int>(i / kLettersInAFloat)] =
         256.0F * in[static_cast<int>(i / kLettersInAFloat)] + text.letters[i];
   return in;
+}
+
+/// Returns the shader of marks, for the picture of letters as it is.
+std::string markShader() {
+  return fmt::format("#version 150\nconst vec2 kCells = vec2({}.0, {}.0);\n", kLetterColumns,
+                     letterAtlas().rows) +
+         shaders::mark_frag;
 }
 
 /// Returns a copy of the letters on the graphics card, smaller ones for plates far away.
@@ -62,19 +67,33 @@ PlateText plateText(std::string_view words) {
   return text;
 }
 
-PlateText wholeNumber(std::uint64_t number) { return written("{}", number % 1'000'000'000'000); }
+namespace {
+
+template <typename Value>
+PlateText numberOnPlate(fmt::string_view format, Value value) {
+  std::array<char, 64> text{};
+  const auto end =
+      fmt::vformat_to_n(text.data(), text.size(), format, fmt::make_format_args(texts::localized(value)));
+  return plateText({text.data(), std::min(end.size, text.size())});
+}
+
+}  // namespace
+
+PlateText wholeNumber(std::uint64_t number) { return numberOnPlate("{}", number % 1'000'000'000'000); }
 
 PlateText tenthsOf(double time_s) {
   const double tenths = std::clamp(std::floor(10.0 * time_s), -10.0 * kMostShown_s, 10.0 * kMostShown_s);
-  return written("{:.1f}", tenths / 10.0);
+  return numberOnPlate("{:.1f}", tenths / 10.0);
 }
 
 PlateText hundredthsOf(double time_s) {
   const double hundredths = std::clamp(std::round(100.0 * time_s), -99999.0, 99999.0);
-  return written("{:.2f}", hundredths / 100.0 + 0.0);  // a zero without a sign
+  return numberOnPlate("{:.2f}", hundredths / 100.0 + 0.0);  // a zero without a sign
 }
 
-PlateText measured(const char* words, double value) { return written(words, std::clamp(value, 0.0, 9999.0)); }
+PlateText measured(const texts::Text& words, double value) {
+  return written(words, std::clamp(value, 0.0, 9999.0));
+}
 
 double placesAcross(const PlateText& text, PlateShape shape) {
   return text.places + 2.0 * kMargins[static_cast<std::size_t>(shape)];
@@ -157,7 +176,7 @@ void MarkBuffer::addRound(const glm::dvec3& drawn_m, double radius_m, const glm:
 }
 
 MarkDrawer::MarkDrawer()
-    : program_(makeProgram("mark", shaders::mark_vert, "#version 150\n" + kCells + shaders::mark_frag)),
+    : program_(makeProgram("mark", shaders::mark_vert, markShader())),
       stream_(program_, {{"drawn_m", 3, offsetof(MarkCorner, drawn_m)},
                          {"ink", 4, offsetof(MarkCorner, colour)},
                          {"on", 2, offsetof(MarkCorner, on)},

@@ -9,13 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "cave/gl/gl_objects.h"
+#include "cave/texts/format.h"
 
 namespace carom {
 
@@ -41,13 +41,12 @@ PlateText wholeNumber(std::uint64_t number);  ///< the last twelve digits of `nu
 PlateText tenthsOf(double time_s);
 PlateText hundredthsOf(double time_s);  ///< rounded to hundredths; minus to plus 999.99
 /// Returns a number in words, such as "γ {:.2f}", from 0 to 9999.
-PlateText measured(const char* words, double value);
+PlateText measured(const texts::Text& words, double value);
 /// Returns numbers or names in words, such as "{} of {}", cut after twelve letters.
 template <typename... Values>
-PlateText written(const char* words, const Values&... values) {
+PlateText written(const texts::Text& words, const Values&... values) {
   std::array<char, 64> text{};
-  const auto end = fmt::format_to_n(text.data(), text.size(), fmt::runtime(words), values...);
-  return plateText({text.data(), std::min(end.size, text.size())});
+  return plateText(texts::formatTo(text, words, values...));
 }
 
 /// The look of a plate, by which a person tells from afar what it shows.

@@ -254,7 +254,7 @@ SpectatorView::SpectatorView(Graphics& graphics, const RoomGeometry& room, const
   drawing_ = std::make_unique<Drawing>(graphics, room, makeViewerModel());
   drawing_->makeGame(scene, table);
   if (window) {
-    drawing_->window = std::make_unique<Window>(graphics, texts::title::kOutside, *window);
+    drawing_->window = std::make_unique<Window>(graphics, texts::title::kOutside.words(), *window);
     graphics.makeCurrent();
   }
 }

@@ -17,7 +17,7 @@ namespace {
 
 /// In the order of InputKind. A TOML file of 16 MiB holds a hundred thousand pucks, a trace of 512 MiB
 /// eighteen hours at 60 Hz; a session of a day has some 10 GiB; no reader keeps more than one frame of it.
-constexpr std::array<InputLimit, 12> kInputLimits{{{"a TOML file", 16},
+constexpr std::array<InputLimit, 14> kInputLimits{{{"a TOML file", 16},
                                                    {"a JSON file", 16},
                                                    {"an XML file", 16},
                                                    {"a trace", 512},
@@ -28,7 +28,9 @@ constexpr std::array<InputLimit, 12> kInputLimits{{{"a TOML file", 16},
                                                    {"a session file", 1ULL << 30U},
                                                    {"a mesh of a screen", 128},
                                                    {"a grid of a screen", 256},
-                                                   {"an MPCDI file", 256}}};
+                                                   {"an MPCDI file", 256},
+                                                   {"a PO file", 16},
+                                                   {"a glossary", 1}}};
 
 /// A regular file that is open for reading, or the reason why it is not.
 class OpenedFile {

@@ -23,7 +23,9 @@ enum class InputKind {
   session,
   screenMesh,
   screenGrid,
-  mpcdi
+  mpcdi,
+  translation,
+  glossary
 };
 
 /// The limits of one kind of file.

@@ -5,18 +5,20 @@ places for values in it, is a text for people unless it is one of these:
  - the identity of a part of a window, which Dear ImGui does not show: it begins with "##";
  - an argument of a call of NOT_SHOWN, which names something to the graphics card, a file or the log;
  - in a file of OWN_WORDS, for the reason given there; the name of a file or of a key.
-Prints each text that it finds. Each text of page_texts.h has a name of its own and is used by a page of app/page/pages, which
-has no other. Checks also that no room outside SCANNED can show texts (it includes none of SHOWING), that
-the catalogue has no text twice in one group nor one that nobody uses, and that each part of this list is needed."""
+Prints each text that it finds. Each text of the group "page" that a page names is used by one of app/page/pages, which
+have no other. Checks also that no room outside SCANNED can show texts (it includes none of SHOWING), that
+the catalogue has no text twice in one group nor one that nobody uses, that each text with values tells translators what
+fills them, and that each part of this list is needed. A text that is put together without the language in use does not
+compile: a Text of the catalogue is no format of fmt."""
 
 import pathlib
 import re
 import sys
 
 root = pathlib.Path(sys.argv[1])
-CATALOGUE = "cave/texts/texts.h"
-# The part of it for pages of visits, and the sources of these pages: names of its lists are used there.
-PAGE_TEXTS, PAGES = "cave/texts/page_texts.h", "app/page/pages"
+CATALOGUE = "cave/texts/catalogue"
+# The sources of the pages of visits, which name the texts of the group "page".
+PAGES = "app/page/pages"
 SCANNED = ["app/classroom", "app/console", "app/hand", "app/input", "app/operator", "app/play", "app/report", "app/session", "app/viewer",
            "cave/display", "cave/overlay", "cave/render", "cave/spectator"]
 # Rows of this room name texts for the others.
@@ -24,6 +26,8 @@ NAMING = ["cave/record"]
 # With these headers a room shows texts: on walls, in windows, as messages.
 SHOWING = ["imgui.h", "cave/gl/gui.h", "cave/gl/glyph_bitmap.h", "cave/overlay/panel_picture.h", "app/session/status_message.h"]
 MAKES_LETTERS = ["cave/gl"]
+# Asks which letters the fonts have, and shows none.
+ASKS_FOR_LETTERS = ["app/tools/check_translation.cpp"]
 NOT_SHOWN = {
     # messages of the command line and of the log stand beside the code whose facts they name
     "note", "warn", "runtime_error", "invalid_argument",
@@ -43,6 +47,7 @@ OWN_WORDS = {
     "app/classroom/classroom_messages.cpp": "keys of the messages to pages",
     "app/classroom/study_desk.cpp": "the path of a page",
     "app/classroom/phone_message.cpp": "keys of the messages of pages",
+    "app/hand/hand_input.h": "names of devices, by which the program tells them apart",
     "app/input/keyboard_layout.cpp": "keys of a US keyboard",
     "app/operator/command.cpp": "names and values of commands, as session files and their log hold them",
     "app/operator/visitor_choices.h": "names of shipped games",
@@ -124,7 +129,7 @@ for file in sorted(root.glob("*/*/*.*")):
     room = str(file.parent.relative_to(root))
     if file.suffix not in (".cpp", ".h") or room.split("/")[0] not in ("app", "cave", "devices", "engine"):
         continue
-    if room in SCANNED + MAKES_LETTERS:
+    if room in SCANNED + MAKES_LETTERS or str(file.relative_to(root)) in ASKS_FOR_LETTERS:
         continue
     for header in SHOWING:
         if re.search(rf'(?m)^#include ["<]{re.escape(header)}[">]', file.read_text()):
@@ -133,28 +138,35 @@ for file in sorted(root.glob("*/*/*.*")):
 for unused in sorted((NOT_SHOWN | LITERALS | set(OWN_WORDS)) - needed):
     fail(f"{unused} is excepted, but there is nothing to except")
 
-catalogue = (root / CATALOGUE).read_text()
-sources = "\n".join(file.read_text() for room in SCANNED + NAMING + ["app/page"] for file in (root / room).glob("*.*"))
-for file in (CATALOGUE, "cave/texts/class_texts.h", PAGE_TEXTS):
-    group = ""
-    for found in re.finditer(r"(?m)^namespace ([\w:]+) \{|\b(k[A-Z]\w*) = |\b(k[A-Z]\w*)\{", (root / file).read_text()):
-        group = found.group(1) or group
-        name = found.group(2) or found.group(3)
-        if name and f"{name}" not in re.findall(r"texts::(?:\w+::)?(k\w+)", sources):
-            fail(f"{file}: nobody uses {group}::{name}")
-
-page_texts = (root / PAGE_TEXTS).read_text()
-named = re.findall(r'\{\s*"(\w+)",\s*"', page_texts)
+ROW = re.compile(r'(?m)^(TEXT|PLURAL|TEXTS)\((\w+),((?:\s*"(?:[^"\\\n]|\\.)*"\s*,?)+)\)$')
+sources = "\n".join(file.read_text() for room in SCANNED + NAMING + ["app/page", "app/commands", "app/hand"]
+                    for file in (root / room).glob("*.*"))
 scripts = "\n".join(file.read_text() for file in (root / PAGES).glob("*.js"))
 html = (root / PAGES / "visit.html").read_text()
-if len(named) < 40:
-    fail(f"{PAGE_TEXTS}: only {len(named)} texts were found")
-for name in sorted(set(named)):
-    if named.count(name) > 1:
-        fail(f"{PAGE_TEXTS}: {name} is there {named.count(name)} times")
-    if not re.search(rf'texts\.{name}\b|"{name}"', scripts) and f"{{{{{name}}}}}" not in html:
-        fail(f"{PAGE_TEXTS}: no page uses {name}")
-for name in sorted(set(re.findall(r"\btexts\.(\w+)", scripts)) - set(named)):
-    fail(f"{PAGES}: {name} is no text of {PAGE_TEXTS}")
+listed = re.findall(r'#include "(cave/texts/catalogue/\w+\.inc)"', (root / CATALOGUE / "all.inc").read_text())
+for file in sorted((root / CATALOGUE).glob("*.inc")):
+    group, text = file.stem, file.read_text()
+    if group == "all":
+        continue
+    if str(file.relative_to(root)) not in listed:
+        fail(f"{file.relative_to(root)} is not in {CATALOGUE}/all.inc")
+    rows = ROW.findall(text)
+    if len(rows) != len(re.findall(r"(?m)^(?:TEXT|PLURAL|TEXTS)\(", text)):
+        fail(f"{file.relative_to(root)}: a row could not be read")
+    names = [name for _, name, _ in rows]
+    for kind, name, rest in rows:
+        if names.count(name) > 1:
+            fail(f"{file.relative_to(root)}: {name} is there {names.count(name)} times")
+        if name[0] == "k" and not re.search(rf"\b{name}\b", sources):
+            fail(f"{file.relative_to(root)}: nobody uses {name}")
+        if group == "page" and name[0] != "k":
+            if not re.search(rf'texts\.{name}\b|"{name}"', scripts) and f"{{{{{name}}}}}" not in html:
+                fail(f"{file.relative_to(root)}: no page uses {name}")
+        told = rest.rstrip().rstrip(",").count('",') + 1
+        if "{" in rest and kind != "TEXTS" and told < (3 if kind == "PLURAL" else 2):
+            fail(f"{file.relative_to(root)}: {name} does not say what fills its values")
+    if group == "page":
+        for name in sorted(set(re.findall(r"\btexts\.(\w+)", scripts)) - set(names)):
+            fail(f"{PAGES}: {name} is no text of the group page")
 
 sys.exit(1 if failed else 0)

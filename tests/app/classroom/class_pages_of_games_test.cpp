@@ -11,7 +11,7 @@
 
 #include "app/classroom/class_server.h"
 #include "app/web_client.h"
-#include "cave/texts/page_texts.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -58,7 +58,7 @@ TEST_F(Followed, HasAPageOnceItIsMade) {
   begin(0);
   const std::string early = client().get("/follow");
   EXPECT_EQ(early.substr(9, 3), "503");
-  EXPECT_NE(early.find(texts::page::kNotYet), std::string::npos);
+  EXPECT_NE(early.find(texts::page::kNotYet.english()), std::string::npos);
   EXPECT_NE(early.find("Refresh: 2\r\n"), std::string::npos);
   hasPage_ = true;
   const std::string page = client().get("/follow");

@@ -10,7 +10,8 @@
 #include <string>
 
 #include "app/tables/html_text.h"
-#include "cave/texts/class_texts.h"
+#include "cave/record/class_view.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -32,12 +33,17 @@ TEST(ClassPages, AreFilledWithTheCatalogue) {
         << "nothing but the socket has an address";
   }
   EXPECT_NE(pages.page.find(">&lt;KIWI&gt;</strong>"), std::string::npos);
-  for (const texts::phone::Named& text : texts::phone::kPage)
-    EXPECT_NE(pages.page.find(htmlOf(text.words)), std::string::npos) << text.name;
-  for (const texts::phone::Named& text : texts::phone::kScript) {
-    EXPECT_NE(pages.script.find(text.words), std::string::npos) << text.name;
-    const std::regex used("T\\." + std::string(text.name) + "\\b|\\bT\\[state\\.state\\]");
-    EXPECT_TRUE(std::regex_search(sourceOf("class.js"), used)) << text.name;
+  const std::string html = sourceOf("class.html"), js = sourceOf("class.js");
+  for (const auto& [name, words] : texts::pageWords("phone")) {
+    const bool inPage = html.find("{{" + name + "}}") != std::string::npos;
+    const std::regex used("T\\." + name + "\\b");
+    const bool isState = std::ranges::find(kClassPhases, name) != kClassPhases.end();
+    EXPECT_TRUE(inPage || isState || std::regex_search(js, used)) << name;
+    if (inPage) {
+      EXPECT_NE(pages.page.find(htmlOf(words)), std::string::npos) << name;
+    } else {
+      EXPECT_NE(pages.script.find(words), std::string::npos) << name;
+    }
   }
 }
 

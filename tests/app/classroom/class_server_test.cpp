@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/web_client.h"
-#include "cave/texts/class_texts.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -222,7 +222,7 @@ TEST_F(Server, RefusesWhatIsNoVote) {
   awaitState(one, "closed");
   one.say(R"({"answer": 2, "round": 1})");
   EXPECT_EQ(await(one, [](const Json& now) { return now.contains("refused"); })["refused"],
-            texts::phone::kVoteClosed);
+            texts::phone::kVoteClosed.english());
 }
 
 TEST_F(Server, HasOneTeacherAndCountsWrongPins) {
@@ -232,7 +232,7 @@ TEST_F(Server, HasOneTeacherAndCountsWrongPins) {
   for (int i = 0; i < 6; ++i) {
     guesser.say(Json({{"pin", i < 5 ? "00000" + std::to_string(i) : "123456"}}).dump());
     const Json told = await(guesser, [](const Json& now) { return now.contains("refused"); });
-    EXPECT_EQ(told["refused"], i < 5 ? texts::phone::kWrongPin : texts::phone::kTooManyPins);
+    EXPECT_EQ(told["refused"], (i < 5 ? texts::phone::kWrongPin : texts::phone::kTooManyPins).english());
   }
   second.say(R"({"do": "ask"})");
   EXPECT_EQ(awaitState(second, "vote")["teacher"], true);

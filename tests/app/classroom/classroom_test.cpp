@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cave/texts/class_texts.h"
+#include "cave/texts/texts.h"
 
 namespace carom {
 namespace {
@@ -160,22 +160,22 @@ TEST_F(Class, HidesTheFirstVoteWhileTheSecondIsOpen) {
 
 TEST_F(Class, RefusesVotesThatAreNone) {
   const auto id = phone();
-  EXPECT_EQ(answer(id, 1)["refused"], texts::phone::kVoteClosed) << "not asked yet";
+  EXPECT_EQ(answer(id, 1)["refused"], texts::phone::kVoteClosed.english()) << "not asked yet";
   take(ClassStep::ask);
-  EXPECT_EQ(answer(id, 4)["refused"], texts::phone::kNoMessage) << "the question has three answers";
-  EXPECT_EQ(answer(id, 1, 2)["refused"], texts::phone::kVoteClosed) << "of the second vote";
+  EXPECT_EQ(answer(id, 4)["refused"], texts::phone::kNoMessage.english()) << "the question has three answers";
+  EXPECT_EQ(answer(id, 1, 2)["refused"], texts::phone::kVoteClosed.english()) << "of the second vote";
   room_.receive(id, PhoneReason{"why", 1}, now_s_);
-  EXPECT_EQ(told(id)["refused"], texts::phone::kAnswerFirst);
+  EXPECT_EQ(told(id)["refused"], texts::phone::kAnswerFirst.english());
   EXPECT_EQ(told(id)["answered"], 0);
   EXPECT_FALSE(told(id).contains("refused")) << "is told once";
   take(ClassStep::close);
-  EXPECT_EQ(answer(id, 1)["refused"], texts::phone::kVoteClosed) << "after the close";
+  EXPECT_EQ(answer(id, 1)["refused"], texts::phone::kVoteClosed.english()) << "after the close";
   EXPECT_TRUE(room_.takeVotes().empty());
   const Classroom::Id nobody = ++ids_;
   room_.connect(nobody, "10.0.0.99");
-  EXPECT_EQ(answer(nobody, 1), Json({{"refused", texts::phone::kHelloFirst}}));
+  EXPECT_EQ(answer(nobody, 1), Json({{"refused", texts::phone::kHelloFirst.english()}}));
   room_.receive(id, TeacherStep{ClassStep::show}, now_s_);
-  EXPECT_EQ(told(id)["refused"], texts::phone::kTeacherOnly);
+  EXPECT_EQ(told(id)["refused"], texts::phone::kTeacherOnly.english());
 }
 
 TEST_F(Class, GivesTokensThatNobodyCanInvent) {
@@ -195,19 +195,20 @@ TEST_F(Class, HasOneTeacherAndGuardsThePin) {
   EXPECT_EQ(told(first)["teacher"], false) << "somebody has taken over";
   EXPECT_FALSE(told(first).contains("steps"));
   room_.receive(first, TeacherStep{ClassStep::ask}, now_s_);
-  EXPECT_EQ(told(first)["refused"], texts::phone::kTeacherOnly);
+  EXPECT_EQ(told(first)["refused"], texts::phone::kTeacherOnly.english());
   EXPECT_EQ(told(first)["state"], "idle");
   const auto guesses = [&](Classroom::Id id, const std::string& pin) {
     room_.receive(id, TeacherPin{pin}, now_s_);
     return told(id).value("refused", "");
   };
   const auto guesser = phone();
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(guesses(guesser, std::to_string(i)), texts::phone::kWrongPin);
-  EXPECT_EQ(guesses(guesser, "123456"), texts::phone::kTooManyPins);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(guesses(guesser, std::to_string(i)), texts::phone::kWrongPin.english());
+  EXPECT_EQ(guesses(guesser, "123456"), texts::phone::kTooManyPins.english());
   EXPECT_TRUE(room_.isTeacher(second));
   now_s_ += 30.0;
   EXPECT_EQ(guesses(first, "123456"), "") << "another address has tries of its own";
-  EXPECT_EQ(guesses(guesser, "123456"), texts::phone::kTooManyPins) << "half a minute later";
+  EXPECT_EQ(guesses(guesser, "123456"), texts::phone::kTooManyPins.english()) << "half a minute later";
   now_s_ += 30.5;
   EXPECT_EQ(guesses(guesser, "123456"), "") << "a minute later";
   EXPECT_TRUE(room_.isTeacher(guesser));
@@ -287,7 +288,7 @@ TEST_F(Class, RemembersALimitedNumberOfPhones) {
   for (std::size_t i = 0; i < 3 * Classroom::kMostPhones; ++i) room_.leave(phone());
   EXPECT_EQ(told(phone())["phones"], 1);
   for (std::size_t i = 1; i < Classroom::kMostPhones; ++i) phone();
-  EXPECT_EQ(told(phone())["refused"], texts::phone::kFull);
+  EXPECT_EQ(told(phone())["refused"], texts::phone::kFull.english());
 }
 
 /// A class of any size does any steps: what each is told is compared with a count by hand.

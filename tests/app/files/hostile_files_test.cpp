@@ -13,6 +13,8 @@
 #include "app/files/scenario.h"
 #include "app/files/traces.h"
 #include "app/journal/session_file.h"
+#include "app/languages/glossary.h"
+#include "app/languages/po_file.h"
 #include "app/room_formats/mpcdi_file.h"
 #include "app/room_import/pvx_file.h"
 #include "app/room_import/sgct_file.h"
@@ -85,6 +87,10 @@ const std::vector<Named>& named() {
        false},
       {"an SGCT room", InputKind::json, "bad.json", "", "", "", [](const Path& file) { readSgct(file); },
        false},
+      {"a translation", InputKind::translation, "bad.po", "", "", "", [](const Path& file) { readPo(file); },
+       false},
+      {"a glossary", InputKind::glossary, "bad.txt", "", "", "",
+       [](const Path& file) { Glossary::read(file); }, false},
       {"a trace", InputKind::trace, "bad.csv", "", "", "", [](const Path& file) { readTrace(file); }, false},
       {"a session", InputKind::session, "bad.db", "", "", "",
        [](const Path& file) { SessionFile session(file); }, false},

@@ -76,7 +76,7 @@ TEST(LessonLetters, LinesAreNoWiderThanTheBand) {
         FrameRecord record;
         record.lesson = {phase, 1};
         std::vector<HudLine> lines;
-        describe(record, scenario.lesson->words, scenario.lesson->plan, {}, bandLetters(front), lines);
+        describe(record, scenario.lesson->words, scenario.lesson->plan, {}, bandRoom(front), lines);
         for (const HudLine& line : lines) {
           const double indent_px = line.setIn ? 1.6 * kHeight_px : 0.0;
           EXPECT_LE(ink(line.text, kHeight_px).size_px.x + indent_px + 2.5 * kHeight_px, wide_px)

@@ -45,7 +45,7 @@ TEST(Cue, IsHeldForOnePuckUntilItIsLetGo) {
   EXPECT_EQ(cue.target(), 1u);
   const Cue::Outcome outcome = cue.step(handOf("wand", false), on(0), false);  // its pull is told no more
   EXPECT_EQ(outcome.letGo, 1u);
-  EXPECT_EQ(outcome.refused, "");
+  EXPECT_EQ(outcome.refused.english(), "");
   EXPECT_EQ(cue.pull_m(), Vec3(0, 0, 0.2));
   EXPECT_FALSE(cue.target());
   EXPECT_FALSE(cue.step(handOf("wand", false), on(0), false).letGo) << "once";
@@ -57,8 +57,9 @@ TEST(Cue, WhatCannotBeIsRefusedOnceAndInWords) {
   const auto refusalOf = [](const PickResult& pointed, bool frozen) {
     Cue cue;
     cue.step(handOf("mouse", false), pointed, frozen);
-    const std::string words = cue.step(handOf("mouse", true), pointed, frozen).refused;
-    EXPECT_EQ(cue.step(handOf("mouse", true), on(0), false).refused, "") << "a held button says nothing new";
+    const std::string words = cue.step(handOf("mouse", true), pointed, frozen).refused.english();
+    EXPECT_EQ(cue.step(handOf("mouse", true), on(0), false).refused.english(), "")
+        << "a held button says nothing new";
     EXPECT_FALSE(cue.target()) << "nor does it take hold of what it is moved to";
     EXPECT_FALSE(cue.step(handOf("mouse", false), on(0), false).letGo);
     return words;
@@ -74,7 +75,7 @@ TEST(Cue, ADeviceThatIsLostMidStrokeCancelsIt) {
     cue.step(handOf("wand", true), on(0), false);
     cue.step(handOf("wand", true, {0, 0, 0.2}), on(0), false);
     const Cue::Outcome outcome = cue.step(next, on(0), false);
-    EXPECT_EQ(outcome.refused, "The wand is lost: no stroke");
+    EXPECT_EQ(outcome.refused.english(), "The wand is lost: no stroke");
     EXPECT_FALSE(outcome.letGo);
     EXPECT_FALSE(cue.target());
     EXPECT_FALSE(cue.step(handOf("wand", false), on(0), false).letGo)
@@ -85,7 +86,8 @@ TEST(Cue, ADeviceThatIsLostMidStrokeCancelsIt) {
 TEST(Cue, TimeThatIsStoppedMidStrokeCancelsIt) {
   Cue cue;
   cue.step(handOf("wand", true), on(0), false);
-  EXPECT_EQ(cue.step(handOf("wand", true, {0, 0, 0.2}), on(0), true).refused, "Time stands still: no stroke");
+  EXPECT_EQ(cue.step(handOf("wand", true, {0, 0, 0.2}), on(0), true).refused.english(),
+            "Time stands still: no stroke");
   EXPECT_FALSE(cue.step(handOf("wand", false), on(0), false).letGo);
 }
 

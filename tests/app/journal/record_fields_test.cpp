@@ -70,9 +70,10 @@ class Changer : public FieldVisitor {
                             : Lorentz::boost({0.1, 0.2, 0.3}, transform.lightSpeed_m_s());
     return true;
   }
-  bool change(Notice& notice, const FieldKind&) const {
-    notice = Notice("changed");
-    if (impossible_) notice.text.fill('x');
+  template <std::size_t bytes>
+  bool change(ShortText<bytes>& text, const FieldKind&) const {
+    text = ShortText<bytes>("changed");
+    if (impossible_) text.text.fill('x');
     return true;
   }
   template <typename Flags, typename Row, std::size_t rows>

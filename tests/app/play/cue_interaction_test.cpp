@@ -114,7 +114,7 @@ class Lived {
       record.switches = switches;
       const CueInteraction::Outcome outcome =
           play.step(hand(number_, record.viewers[0].observer, game), still, game, record);
-      if (!outcome.said.empty()) said.push_back(outcome.said);
+      if (!outcome.said.empty()) said.push_back(outcome.said.english());
       if (myNow) game.playToNowOf(record.viewers[0].observer);
       game.advance(latestObservation_s(record.viewers[0].observer), state);
       record.number = number_;
@@ -480,7 +480,7 @@ TEST(CueInteraction, AStrokeGivesItsMomentumWhenItsLightArrivesAndSaysSo) {
   EXPECT_EQ(lived.said[0],
             fmt::format("Your stroke runs to red at the speed of light: {:.1f} s there, {:.1f} s back",
                         light_s, back_s));
-  EXPECT_LT(lived.said[0].size(), Notice().text.size());
+  EXPECT_LT(lived.said[0].size(), Notice().english.text.size());
   // What the room shows: aimed, held, drawn back, let go.
   const auto handAt = [&](std::size_t frame) { return lived.states[frame].record.viewers[0].hand; };
   EXPECT_EQ(handAt(129).target, 3u);
@@ -518,10 +518,10 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
   EXPECT_EQ(saidOf(stillGame(),
                    [](std::uint64_t frame, const ObserverView&, const Game&) {
                      HandInput hand;
-                     if (frame == 9) hand.refused = "The wand holds the cue";
+                     if (frame == 9) hand.refused = texts::message::kCueTaken[0];
                      return hand;
                    }),
-            "The wand holds the cue");
+            "The cue is in the wand's hand");
   Scenario empty = stillGame();
   empty.billiard.pucks.clear();
   empty.puckMeshes.clear();

@@ -71,12 +71,12 @@ TEST_F(HandsTest, AMouseThatMovesTheWandDoesNotAim) {
   pointTo(-0.6, -2.0);
   frame();
   pointTo(-0.5, -2.0);
-  EXPECT_EQ(frame().device, texts::kDevices[1]) << "the mouse, which has moved";
+  EXPECT_EQ(frame().device, kHandDevices[1]) << "the mouse, which has moved";
   desk_.mouseAims = false;
   pointTo(-0.3, -2.0);
   desk_.mouseHeld = true;
   const HandInput hand = frame();
-  EXPECT_EQ(hand.device, texts::kDevices[0]) << "the wand";
+  EXPECT_EQ(hand.device, kHandDevices[0]) << "the wand";
   EXPECT_FALSE(hand.held);
   desk_.mouseHeld = false;
   desk_.mouseTurns = true;
@@ -184,8 +184,8 @@ TEST_F(HandsTest, WhoPressesFirstHoldsTheCue) {
   desk_.mouseHeld = true;
   HandInput input = frame();
   EXPECT_EQ(input.device, "wand");
-  EXPECT_EQ(input.refused, "The cue is in the wand's hand");
-  EXPECT_EQ(frame().refused, "") << "said once";
+  EXPECT_STREQ(input.refused, "The cue is in the wand's hand");
+  EXPECT_STREQ(frame().refused, "") << "said once";
   wand_->press(0, false, 3);
   EXPECT_EQ(frame().device, "wand");
   input = frame();
@@ -197,7 +197,7 @@ TEST_F(HandsTest, WhoPressesFirstHoldsTheCue) {
   EXPECT_EQ(input.device, "mouse");
   EXPECT_TRUE(input.held);
   wand_->press(0, true, 3);
-  EXPECT_EQ(frame().refused, "The cue is in the mouse's hand");
+  EXPECT_STREQ(frame().refused, "The cue is in the mouse's hand");
 }
 
 TEST_F(HandsTest, TheMousePointsFromItsEyeAndPullsAlongTheCloth) {

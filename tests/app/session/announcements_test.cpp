@@ -36,14 +36,14 @@ class AnnouncementsForTwo : public testing::Test {
 
 TEST_F(AnnouncementsForTwo, OneIsToldAloneAndBothTogetherForAWhile) {
   begin(1.0);
-  announcements_.sayTo(1, "yours", decision_);
+  announcements_.sayTo(1, texts::Saying("yours"), decision_);
   announcements_.putInto(decision_);
   EXPECT_EQ(read(0), "");
   EXPECT_EQ(read(1), "yours");
   ASSERT_EQ(decision_.notes.size(), 1U);
   EXPECT_EQ(decision_.notes[0].viewer, 1U);
   begin(2.0);
-  announcements_.later("both");
+  announcements_.later(texts::Saying("both"));
   announcements_.putInto(decision_);
   EXPECT_EQ(read(0), "both");
   EXPECT_EQ(read(1), "both");
@@ -70,7 +70,7 @@ TEST_F(AnnouncementsForTwo, ACaptionTurnsItsViewsOnAndThoseBeforeItOff) {
   announcements_.putInto(decision_);
   EXPECT_EQ(read(0), "") << "it is over";
   begin(3.5);
-  announcements_.sayTo(0, "a message", decision_);
+  announcements_.sayTo(0, texts::Saying("a message"), decision_);
   announcements_.putInto(decision_);
   EXPECT_EQ(read(0), "a message") << "which goes before a caption";
   EXPECT_EQ(read(1), "second, by hand");
@@ -114,7 +114,7 @@ TEST_F(AnnouncementsForTwo, AnEffectChangesAFrameAfterItIsAsked) {
   announcements_.tellEffects(std::span(&colour, 1), decision_);
   EXPECT_EQ(decision_.frame.record.switches.colour, 0);
   announcements_.putInto(decision_);
-  EXPECT_NE(read(0).find(texts::keys::kColour), std::string_view::npos) << read(0);
+  EXPECT_NE(read(0).find(texts::keys::kColour.english()), std::string_view::npos) << read(0);
   begin(0.2);
   decision_.frame.record.switches.colour = 1;
   announcements_.tellEffects({}, decision_);
@@ -125,7 +125,7 @@ TEST_F(AnnouncementsForTwo, WhySteeringDoesNothingIsSaidOnceUntilItIsLetGo) {
   begin(0.0);
   for (const bool asked : {true, true, false, true}) announcements_.tellWhyStill(asked, true, decision_);
   ASSERT_EQ(decision_.notes.size(), 2U);
-  EXPECT_EQ(decision_.notes[0].value, texts::message::kFrozen);
+  EXPECT_EQ(decision_.notes[0].value, texts::message::kFrozen.english());
 }
 
 TEST_F(AnnouncementsForTwo, EachReadsOfACaromAsTheirOwnOrTheOthers) {

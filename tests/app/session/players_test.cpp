@@ -125,7 +125,7 @@ TEST_F(PlayersAtRest, ThereIsNoBestShotBeforeACarom) {
   EXPECT_FALSE(decision_.showsShot);
   EXPECT_EQ(players_.shot(1.0), nullptr);
   ASSERT_EQ(decision_.notes.size(), 1U);
-  EXPECT_EQ(decision_.notes[0].value, texts::message::kNoCarom);
+  EXPECT_EQ(decision_.notes[0].value, texts::message::kNoCarom.english());
 }
 
 }  // namespace

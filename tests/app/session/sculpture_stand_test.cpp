@@ -11,6 +11,7 @@
 #include "app/stage/scenario_scene.h"
 #include "app/tables/event_table.h"
 #include "app/temporary_folder.h"
+#include "cave/texts/format.h"
 #include "cave/texts/texts.h"
 #include "engine/billiard/billiard.h"
 #include "engine/random_world.h"
@@ -115,8 +116,8 @@ TEST(SculptureStand, OfTenThousandPucksTheHundredNearestAreShownAndThatIsSaid) {
   SculptureStand stand(rig, scenario, {});
   stand.putInto(record);
   const World world;
-  EXPECT_EQ(stand.touch({}, 0, world, record).said, fmt::format(texts::message::kNotSculpted, 100, 9900));
-  EXPECT_EQ(stand.touch({}, 0, world, record).said, "") << "once";
+  EXPECT_EQ(stand.touch({}, 0, world, record).said, texts::say(texts::message::kNotSculpted, 100, 9900));
+  EXPECT_EQ(stand.touch({}, 0, world, record).said.english(), "") << "once";
 }
 
 TEST(SculptureStand, BodiesThatMoveAsToldHaveTheOutlinesOfTheirMeshes) {

@@ -303,7 +303,7 @@ TEST(WallPath, APressBesideTheAnswersSaysHowToAnswer) {
   const Wall& wall = session.wall();
   const Vec3 table_m = 0.5 * (wall.lowerLeft_m + wall.lowerRight_m) + Vec3(0.0, 0.2, 0.0);
   session.frame(mouseAt(table_m, true));
-  EXPECT_EQ(session.record().viewers[0].notice.words(), texts::message::kAsks);
+  EXPECT_EQ(session.record().viewers[0].notice.words(), texts::message::kAsks.english());
   EXPECT_EQ(session.settings().lesson.phase, LessonPhase::asks);
 }
 

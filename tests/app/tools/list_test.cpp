@@ -26,6 +26,7 @@ TEST(List, NamesTheShippedFilesWithTheirTitles) {
   EXPECT_EQ(listed.lessons.front().name, "comes-and-goes");
   EXPECT_FALSE(listed.traces.empty());
   EXPECT_TRUE(has(listed.playlists, "open-day", "Open day"));
+  EXPECT_TRUE(has(listed.languages, "en", "as everything is written"));
   for (const auto* files : {&listed.games, &listed.lessons, &listed.rigs}) {
     for (const ListedFile& file : *files) EXPECT_FALSE(file.isFaulty) << file.name << ": " << file.title;
   }

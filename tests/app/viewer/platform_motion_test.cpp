@@ -166,11 +166,11 @@ TEST(PlatformMotion, SteeringTakesOver) {
   EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
   ride.advance({.steer = {0.01, 0.0, 0.0}});  // a device's noise
   EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
-  EXPECT_TRUE(ride.drive.takeNotice().words().empty());
+  EXPECT_TRUE(ride.drive.takeNotice().english().empty());
   ride.advance({.steer = {0.5, 0.0, 0.0}});
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
   EXPECT_EQ(ride.drive.view().thrust, Vec3(0.5, 0.0, 0.0));
-  EXPECT_FALSE(ride.drive.takeNotice().words().empty());
+  EXPECT_FALSE(ride.drive.takeNotice().english().empty());
   ride.advance({.home = true});
   EXPECT_EQ(ride.drive.view().mode, DriveMode::home);
   ride.advance({.steer = {0.0, 0.0, -0.5}});
@@ -179,7 +179,7 @@ TEST(PlatformMotion, SteeringTakesOver) {
   Ride untold(platform(), standing);
   untold.drive.setOut();
   untold.advance();
-  EXPECT_EQ(untold.drive.takeNotice().words(), "This game has no round trip.");
+  EXPECT_EQ(untold.drive.takeNotice().english(), "This game has no round trip.");
   EXPECT_EQ(untold.drive.view().mode, DriveMode::free);
 }
 
@@ -193,7 +193,7 @@ TEST(PlatformMotion, ATourBeginsAtRestOnceAndSaysHowItEnded) {
   ride.drive.setOut();
   ride.advance();
   EXPECT_EQ(ride.drive.view().mode, DriveMode::free);
-  EXPECT_EQ(ride.drive.takeNotice().words(),
+  EXPECT_EQ(ride.drive.takeNotice().english(),
             "The round trip begins at rest: brake (Space) or return to the table (Home) first.");
   for (int frame = 0; frame < 60; ++frame) ride.advance({.brake = true});
   const double board_s = ride.observer.headEvent().t_s;
@@ -202,23 +202,23 @@ TEST(PlatformMotion, ATourBeginsAtRestOnceAndSaysHowItEnded) {
   EXPECT_EQ(ride.drive.view().mode, DriveMode::tour);
   ride.drive.setOut();
   ride.advance();
-  EXPECT_EQ(ride.drive.takeNotice().words(), "The round trip is under way already.");
+  EXPECT_EQ(ride.drive.takeNotice().english(), "The round trip is under way already.");
   for (int frame = 0; frame < 4 * 60; ++frame) ride.advance();
   EXPECT_LT(ride.speed_u(), 1e-12);
   const double phi = 0.9 / 1.42, tour_s = 4.0 * std::sinh(phi) / phi;
   EXPECT_LT(ride.observer.headEvent().t_s, board_s + tour_s + 0.1);
-  EXPECT_EQ(ride.drive.takeNotice().words(),
+  EXPECT_EQ(ride.drive.takeNotice().english(),
             fmt::format("Flight finished: {:.1f} s on the table's clocks, 4.0 s on yours.", tour_s));
 }
 
 TEST(PlatformMotion, WhoSteersFarAwayIsToldOnceOfTheWayHome) {
   Ride ride(platform(), standing);
   ride.advance({.steer = {0.0, 0.0, -0.9}});
-  EXPECT_TRUE(ride.drive.takeNotice().words().empty());
+  EXPECT_TRUE(ride.drive.takeNotice().english().empty());
   int told = 0;
   for (int frame = 0; frame < 12 * 60; ++frame) {
     ride.advance({.steer = {0.0, 0.0, frame < 3 * 60 ? -0.9 : 0.0}});
-    told += ride.drive.takeNotice().words().starts_with("You have left the table far behind") ? 1 : 0;
+    told += ride.drive.takeNotice().english().starts_with("You have left the table far behind") ? 1 : 0;
   }
   EXPECT_GT(glm::length(ride.observer.headEvent().r_m), 10.0);
   EXPECT_EQ(told, 1);
@@ -236,8 +236,9 @@ TEST(PlatformMotion, TheDriveStopsInFrontOfTheHallsWalls) {
     double fastest_u = 0.0;
     for (int frame = 0; frame < 40 * 60; ++frame) {
       ride.advance({.steer = {0.9 * std::cos(angle_rad), 0.0, 0.9 * std::sin(angle_rad)}});
-      told +=
-          ride.drive.takeNotice().words().starts_with("The drive stops in front of the hall's walls") ? 1 : 0;
+      told += ride.drive.takeNotice().english().starts_with("The drive stops in front of the hall's walls")
+                  ? 1
+                  : 0;
       fastest_u = std::max(fastest_u, ride.speed_u());
       const Vec3 at_m = ride.observer.headEvent().r_m;
       ASSERT_LE(std::abs(at_m.x), 7.0) << "direction " << direction << ", frame " << frame;
@@ -299,9 +300,9 @@ TEST(PlatformMotion, NoMoreThanTheStrongestThrustAndItSaysSoOnce) {
   ride.advance({.steer = {1.0, 0.0, -1.0}});
   EXPECT_EQ(ride.drive.view().atLimit, 1);
   EXPECT_NEAR(glm::length(ride.drive.view().thrust), 1.0, 1e-12);
-  EXPECT_NE(ride.drive.takeNotice().words().find("2 m behind"), std::string_view::npos);
+  EXPECT_NE(ride.drive.takeNotice().english().find("2 m behind"), std::string::npos);
   ride.advance({.steer = {1.0, 0.0, -1.0}});
-  EXPECT_TRUE(ride.drive.takeNotice().words().empty());
+  EXPECT_TRUE(ride.drive.takeNotice().english().empty());
   EXPECT_NEAR(strongestThrust_m_s2(kC_m_s) * 1.0, kC_m_s * kC_m_s / 2.0, 1e-15);  // times a metre
 }
 

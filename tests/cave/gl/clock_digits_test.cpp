@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <glm/mat4x4.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -205,6 +206,44 @@ TEST(LetterAtlas, StandsUpright) {
   EXPECT_GT(inkOf("°", 0.45, 1.0), 0.0);
   EXPECT_EQ(inkOf(" ", 0.0, 1.0), 0.0);
   EXPECT_EQ(inkOf("白", 0.0, 1.0), inkOf("?", 0.0, 1.0));
+}
+
+// Letters of a language come behind those that there always are, which stay as they are, to the byte.
+TEST(LetterAtlas, HoldsTheLettersOfALanguage) {
+  const LetterAtlas before = letterAtlas();
+  const auto codeOf = [](std::string_view letter) { return int{takeLetter(letter)}; };
+  const int plain = codeOf("a"), question = codeOf("?");
+  EXPECT_EQ(codeOf("ö"), question);
+  setPlateLetters(U"öé白ö速a°");
+  const LetterAtlas& atlas = letterAtlas();
+  EXPECT_EQ(atlas.rows, kLetterRows) << "the row that was begun holds them";
+  EXPECT_EQ(codeOf("a"), plain);
+  std::set<int> codes{question};
+  for (const char* letter : {"ö", "é", "白", "速"}) {
+    const int code = codeOf(letter);
+    EXPECT_TRUE(codes.insert(code).second) << letter;
+    EXPECT_GE(code, 105) << letter;
+    const int left = code % kLetterColumns * kLetterCell_px.x,
+              foot = code / kLetterColumns * kLetterCell_px.y;
+    int inked = 0;
+    for (int y = foot; y < foot + kLetterCell_px.y; ++y) {
+      for (int x = left; x < left + kLetterCell_px.x; ++x)
+        inked += atlas.ink[static_cast<std::size_t>(y * atlas.size_px.x + x)] > 128 ? 1 : 0;
+    }
+    EXPECT_GT(inked, 400) << letter;
+  }
+  const std::size_t always = static_cast<std::size_t>(6 * kLetterCell_px.y * atlas.size_px.x);
+  EXPECT_TRUE(std::equal(before.ink.begin(), before.ink.begin() + static_cast<std::ptrdiff_t>(always),
+                         atlas.ink.begin()));
+  std::u32string many;
+  for (char32_t letter = U'一'; letter < U'一' + 400; ++letter) many.push_back(letter);
+  setPlateLetters(many);
+  EXPECT_EQ(letterAtlas().rows, kMostLetterRows);
+  EXPECT_EQ(codeOf("一"), 105);
+  EXPECT_EQ(codeOf("\u4F8F"), question) << "beyond the picture";
+  setPlateLetters({});
+  EXPECT_EQ(letterAtlas().ink, before.ink);
+  EXPECT_EQ(codeOf("一"), question);
 }
 
 }  // namespace

@@ -123,5 +123,44 @@ TEST(GuiLetters, EveryLetterOfTheTextsAndTheGamesCanBeDrawn) {
         << "U+" << std::hex << static_cast<unsigned>(letter);
 }
 
+// A window has the letters of the session's languages, of the fonts that have them; without them it has what
+// it always had.
+TEST(GuiLetters, AreThoseOfTheLanguagesInUse) {
+  Graphics graphics;
+  graphics.makeCurrent();
+  const auto has = [](char32_t letter) {
+    return ImGui::GetFont()->FindGlyphNoFallback(static_cast<ImWchar>(letter)) != nullptr;
+  };
+  const auto heightOfAtlas = [](Gui& gui, auto&& look) {
+    gui.begin({200, 100});
+    look();
+    const int height_px = ImGui::GetIO().Fonts->TexHeight;
+    gui.end();
+    return height_px;
+  };
+  int before_px = 0;
+  {
+    Gui gui(16.0F);
+    before_px = heightOfAtlas(gui, [&] {
+      EXPECT_TRUE(has(U'ö') && has(U'γ') && has(U'→'));
+      EXPECT_FALSE(has(U'光'));
+    });
+  }
+  Gui::setLetters(U"光は遅い、だから光");
+  {
+    Gui gui(16.0F, 21.0F);
+    heightOfAtlas(gui, [&] {
+      for (const char32_t letter : {U'光', U'は', U'遅', U'い', U'、', U'だ', U'か', U'ら', U'ö'})
+        EXPECT_TRUE(has(letter)) << static_cast<unsigned>(letter);
+      EXPECT_FALSE(has(U'早')) << "nobody asked for it";
+      EXPECT_NEAR(ImGui::CalcTextSize("光は").x, 32.0F, 2.0F);
+      EXPECT_EQ(ImGui::GetIO().Fonts->Fonts.Size, 2) << "the heading's is still number 1";
+    });
+  }
+  Gui::setLetters({});
+  Gui gui(16.0F);
+  EXPECT_EQ(heightOfAtlas(gui, [&] { EXPECT_FALSE(has(U'光')); }), before_px);
+}
+
 }  // namespace
 }  // namespace carom

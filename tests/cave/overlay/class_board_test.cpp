@@ -19,8 +19,8 @@ ClassView viewIn(ClassPhase phase, int round) {
   view.choices = 3;
   view.answered = 12;
   view.phones = 20;
-  view.address = Notice("http://192.168.1.20:8080/");
-  view.word = Notice("KIWI");
+  view.address = ShortText<120>("http://192.168.1.20:8080/");
+  view.word = ShortText<120>("KIWI");
   return view;
 }
 

@@ -50,7 +50,7 @@ std::vector<std::string> textsOf(const std::vector<HudLine>& lines) {
 
 std::vector<std::string> said(const FrameRecord& record, const LessonWords& lesson = {}) {
   std::vector<HudLine> lines;
-  describe(record, lesson, {}, {}, kLineLetters, lines);
+  describe(record, lesson, {}, {}, kPanelRoom, lines);
   return textsOf(lines);
 }
 
@@ -69,7 +69,7 @@ TEST(HudPanel, EachReadsTheOthersClocksScoresAndTurns) {
     std::vector<RoomViewer> seen = viewers;
     std::swap(seen.front(), seen[viewer]);
     std::vector<HudLine> lines;
-    describe({record, viewer}, {}, {}, seen, kLineLetters, lines);
+    describe({record, viewer}, {}, {}, seen, kPanelRoom, lines);
     return std::any_of(lines.begin(), lines.end(), [&](const HudLine& line) { return line.text == words; });
   };
   EXPECT_TRUE(reads(0, "ben: 11.3 s, older than you by 1.3 s"));
@@ -115,22 +115,22 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
                                       "2   The one who stayed at home, as seen", "from where they meet",
                                       "3   The traveller", "Choose an answer.[Skip  Enter]", "[Leave  F7]"}));
   std::vector<HudLine> lines;
-  describe(record, kLesson, {}, {}, kLineLetters, lines);
+  describe(record, kLesson, {}, {}, kPanelRoom, lines);
   for (const auto& [line, answer] : {std::pair{3U, 1}, {4U, 2}, {5U, 2}, {6U, 3}})
     EXPECT_EQ(lines[line].row, (WallAction{WallAction::Kind::choose, static_cast<std::uint8_t>(answer)}));
   EXPECT_FALSE(lines[2].isRow() || lines[7].isRow());
   // A class answers by phone: there is nothing to press.
   record.lesson.phase = LessonPhase::asks;
   record.classroom.phase = ClassPhase::vote;
-  record.classroom.word = Notice("KIWI");
+  record.classroom.word = ShortText<120>("KIWI");
   EXPECT_EQ(said(record, kLesson).back(), "Answer by phone.[Leave  F7]");
-  describe(record, kLesson, {}, {}, kLineLetters, lines);
+  describe(record, kLesson, {}, {}, kPanelRoom, lines);
   EXPECT_TRUE(std::none_of(lines.begin(), lines.end(), [](const HudLine& line) { return line.isRow(); }));
   record.classroom = {};
   for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
     record.lesson.phase = phase;
     const auto mayLeave = [&](bool may) {
-      describe(record, kLesson, {}, {}, kLineLetters, lines, may);
+      describe(record, kLesson, {}, {}, kPanelRoom, lines, may);
       const auto texts = textsOf(lines);
       return std::any_of(texts.begin(), texts.end(),
                          [](const std::string& line) { return line.find("Leave") != std::string::npos; });
@@ -140,17 +140,17 @@ TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   }
 }
 
-TEST(HudPanel, ANumberKeepsItsUnitAndALongWordIsWhole) {
+TEST(HudPanel, ANumberKeepsItsUnitAndALongWordIsDivided) {
   FrameRecord record = recordAt(1.0);
   record.lesson.phase = LessonPhase::shows;
   LessonWords lesson = kLesson;
   lesson.todo = "It goes along there at a speed of 0.75 c until it is at the far end, 2.84 m away.";
-  lesson.notice = std::string(60, 'w') + " ends";
-  EXPECT_EQ(
-      said(record, lesson),
-      (std::vector<std::string>{"Try this:  It goes along there at a", "speed of 0.75 c until it is at the",
-                                "far end, 2.84 m away.", "Look for:  " + std::string(60, 'w'), "ends",
-                                "[Again  Y][Explanation  Enter]", "[Leave  F7]"}));
+  lesson.notice = std::string(60, 'n') + " ends";
+  EXPECT_EQ(said(record, lesson),
+            (std::vector<std::string>{"Try this:  It goes along there at a",
+                                      "speed of 0.75 c until it is at the", "far end, 2.84 m away.",
+                                      "Look for:  " + std::string(29, 'n'), std::string(31, 'n') + " ends",
+                                      "[Again  Y][Explanation  Enter]", "[Leave  F7]"}));
   lesson.todo = "It goes away and then at 0.75 c";
   EXPECT_EQ(said(record, lesson)[0], "Try this:  It goes away and then at");
   EXPECT_EQ(said(record, lesson)[1], "0.75 c");
@@ -182,18 +182,18 @@ TEST(HudPanel, TellWhatIsMeasuredAndWhichVelocitiesThereAre) {
   record.boardFromRoom = Lorentz::boost(uFromBeta({0.5, 0.0, 0.0}), kC_m_s);
   record.lesson.phase = LessonPhase::explains;
   std::vector<HudLine> lines;
-  describe(record, kLesson, plan, {}, 90, lines);
+  describe(record, kLesson, plan, {}, {90, 0.54 * 90}, lines);
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[1].text, "Your clock: 12.36 s    From hit to hit: 1.15 s");
   EXPECT_TRUE(lines[1].urgent);
   EXPECT_EQ(textsOf(lines)[2], "You move:[at rest  F2][0.5 c to the right  F3 *]");
   EXPECT_EQ(lines[2].chips[1].action, (WallAction{WallAction::Kind::choose, 2}));
   record.lesson.phase = LessonPhase::shows;
-  describe(record, kLesson, plan, {}, 90, lines);
+  describe(record, kLesson, plan, {}, {90, 0.54 * 90}, lines);
   EXPECT_EQ(textsOf(lines).back(), "[Again  Y][Explanation  Enter][Leave  F7]");
   EXPECT_EQ(lines[2].text.find("Slow motion: 1/4    Your clock:"), 0U) << lines[2].text;
   record.views.frozen = 1;
-  describe(record, kLesson, plan, {}, 120, lines);
+  describe(record, kLesson, plan, {}, {120, 0.54 * 120}, lines);
   EXPECT_EQ(textsOf(lines).back(), "[Again  Y][Explanation  Enter][Let time go on  F][Leave  F7]");
 }
 
@@ -204,7 +204,7 @@ TEST(HudPanel, AnExplanationMayOfferSpacetime) {
   const auto offered = [&](bool may) {
     LessonPlan plan;
     plan.offersSpacetime = may;
-    describe(record, kLesson, plan, {}, 120, lines);
+    describe(record, kLesson, plan, {}, {120, 0.54 * 120}, lines);
     const auto& chips = lines.back().chips;
     const auto found = std::find_if(chips.begin(), chips.end(), [](const HudChip& chip) {
       return chip.action == WallAction{WallAction::Kind::spacetime};
@@ -212,9 +212,9 @@ TEST(HudPanel, AnExplanationMayOfferSpacetime) {
     return found == chips.end() ? std::string() : found->text + (found->isOn ? " *" : "");
   };
   EXPECT_EQ(offered(false), "");
-  EXPECT_EQ(offered(true), texts::lesson::kSpacetime);
+  EXPECT_EQ(offered(true), texts::lesson::kSpacetime.words());
   record.views.spacetime = 1;
-  EXPECT_EQ(offered(true), std::string(texts::lesson::kSpacetime) + " *");
+  EXPECT_EQ(offered(true), std::string(texts::lesson::kSpacetime.words()) + " *");
 }
 
 TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {
@@ -245,7 +245,7 @@ TEST(HudPanel, BeginWithWhatJustHappenedAndLetItStandOut) {
   record.viewers[0].notice = Notice(words);
   record.views.paths = 1;
   std::vector<HudLine> lines;
-  describe(record, {}, {}, {}, kLineLetters, lines);
+  describe(record, {}, {}, {}, kPanelRoom, lines);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[0].urgent && lines[1].urgent);
   EXPECT_FALSE(lines[2].urgent);
@@ -329,13 +329,13 @@ TEST_F(DrawnWords, CapitalsAreFourCentimetresHigh) {
 TEST(HudPanel, LargerWordsHaveFewerOfThemInALine) {
   Wall wall = frontOf("front", StereoMode::mono);
   wall.pixels = {3840, 1080};
-  const std::size_t letters = bandLetters(wall);
+  const std::size_t letters = bandRoom(wall).columns;
   BandLayout layout;
   const std::vector<HudLine> one{{"HHHH", {}}}, many(30, one.front());
   layOut(wall, wall.pixels, one, layout);
   const int height_px = layout.height_px;
   wall.textSize = 2.0;
-  EXPECT_NEAR(static_cast<double>(bandLetters(wall)), 0.5 * static_cast<double>(letters), 1.0);
+  EXPECT_NEAR(static_cast<double>(bandRoom(wall).columns), 0.5 * static_cast<double>(letters), 1.0);
   layOut(wall, wall.pixels, one, layout);
   EXPECT_NEAR(layout.height_px, 2 * height_px, 1);
   layOut(wall, wall.pixels, many, layout);
@@ -441,7 +441,7 @@ Box boxOf(const Image& image) {
 // However much there is to say: beside and below it is the game.
 TEST_F(DrawnWords, LeaveTheGameItsPlace) {
   std::vector<HudLine> lines;
-  for (int i = 0; i < 24; ++i) lines.push_back({"W" + std::string(kLineLetters, 'n'), {}});
+  for (int i = 0; i < 24; ++i) lines.push_back({"W" + std::string(kPanelRoom.columns, 'n'), {}});
   for (const std::size_t count : {std::size_t{1}, std::size_t{10}, lines.size()}) {
     const Box box = boxOf(drawn({lines.begin(), lines.begin() + static_cast<long>(count)}));
     ASSERT_GT(box.right, box.left);

@@ -143,7 +143,7 @@ TEST_F(Compass, InARoomWithoutAFloorIsSeenThroughTheScreensCorner) {
 TEST(CompassInWords, SaysHowFastAndHowContracted) {
   const auto says = [](const FrameRecord& record, const std::string& words) {
     std::vector<HudLine> lines;
-    describe(record, {}, {}, {}, kLineLetters, lines);
+    describe(record, {}, {}, {}, kPanelRoom, lines);
     return std::any_of(lines.begin(), lines.end(),
                        [&](const HudLine& line) { return line.text.find(words) != std::string::npos; });
   };

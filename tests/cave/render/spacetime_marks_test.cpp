@@ -217,11 +217,12 @@ TEST(Plates, SayNumbersAndTimes) {
   EXPECT_EQ(test::plateWords(tenthsOf(86400.0)), "86400.0");
   EXPECT_EQ(test::plateWords(tenthsOf(-86400.05)), "-86400.1");
   EXPECT_EQ(test::plateWords(tenthsOf(-1e300)), "-200000000.0") << "six years are the most";
-  EXPECT_EQ(test::plateWords(measured("{:.1f}°", 78.96)), "79.0#");
-  EXPECT_EQ(measured("γ {:.2f}", 1.25), plateText("γ 1.25"));
-  EXPECT_EQ(test::plateWords(measured("looks {:.2f} c", 0.391)), "looks 0.39 c");
-  EXPECT_EQ(test::plateWords(measured("{:.2f} c", -1.0)), "0.00 c");
-  EXPECT_EQ(test::plateWords(measured("length {:.2f}", 1e300)), "length 9999.") << "twelve letters";
+  EXPECT_EQ(test::plateWords(measured(texts::Text(0, "{:.1f}°"), 78.96)), "79.0#");
+  EXPECT_EQ(measured(texts::Text(0, "γ {:.2f}"), 1.25), plateText("γ 1.25"));
+  EXPECT_EQ(test::plateWords(measured(texts::Text(0, "looks {:.2f} c"), 0.391)), "looks 0.39 c");
+  EXPECT_EQ(test::plateWords(measured(texts::Text(0, "{:.2f} c"), -1.0)), "0.00 c");
+  EXPECT_EQ(test::plateWords(measured(texts::Text(0, "length {:.2f}"), 1e300)), "length 9999.")
+      << "twelve letters";
   EXPECT_EQ(test::plateWords(plateText("白 a\xff")), "? a?");
 }
 
@@ -362,7 +363,8 @@ TEST(SeenSpeeds, AreThoseThatAreSeen) {
         glm::distance(seenAt(eye.t_s + kMoment_s), seenAt(eye.t_s - kMoment_s)) / (2.0 * kMoment_s);
     const double looks = speed_m_s / kC_m_s;
     if (std::abs(std::remainder(100.0 * looks - 0.5, 1.0)) < 0.05) continue;  // rounding decides the digit
-    EXPECT_EQ(said, std::set<std::string>{test::plateWords(measured("looks {:.2f} c", looks))})
+    EXPECT_EQ(said,
+              std::set<std::string>{test::plateWords(measured(texts::Text(0, "looks {:.2f} c"), looks))})
         << "case " << i;
   }
 }

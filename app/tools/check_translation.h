@@ -1,0 +1,17 @@
+#pragma once
+// `carom check` of a translation: its findings, and how much of it is translated.
+
+#include <filesystem>
+
+#include "app/languages/language_files.h"
+
+namespace carom {
+
+/// Returns what the fonts of this computer have.
+LetterFonts fontsHere();
+
+/// Prints the findings about a PO file and how much of it is translated. Returns whether it has errors.
+/// Throws InputErrors if it is no PO file.
+bool tellTranslation(const std::filesystem::path& file);
+
+}  // namespace carom
