@@ -1,22 +1,24 @@
 #pragma once
 // The language of what a command draws without a session's frames: pages, diagrams, test patterns.
 
+#include <memory>
 #include <string>
+
+#include "cave/texts/language.h"
 
 namespace carom {
 
-/// What is said and drawn on this thread is in a language (app/file_keys/language_name.h), as long as this
-/// object lives; English if its name is empty.
+/// Puts a language (app/file_keys/language_name.h) in use on this thread, as long as it lives; English if its
+/// name is empty.
 class WordsIn {
  public:
-  explicit WordsIn(std::string language) : language_(std::move(language)) {}
-  WordsIn(const WordsIn&) = delete;
-  WordsIn& operator=(const WordsIn&) = delete;
-
-  const std::string& language() const { return language_; }
+  /// Throws InputErrors or std::runtime_error if there is no such language, its file has errors, or no font
+  /// here has its letters.
+  explicit WordsIn(const std::string& language);
 
  private:
-  std::string language_;
+  std::shared_ptr<const texts::Language> words_;
+  texts::InLanguage inUse_;
 };
 
 }  // namespace carom
