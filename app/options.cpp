@@ -44,8 +44,8 @@ const SeenSceneText kSeenScene = seenSceneVtp;
 const FileOpeners kOpeners{examineMeshes, [](const auto& file, const Rig& rig) {
                              openBlends({file, {}}, rig);
                            }};
-const ShowPattern kShowPattern = [](const auto& rig, const auto& capture) {
-  return runPattern({rig, capture});
+const ShowPattern kShowPattern = [](const auto& rig, const auto& capture, const auto& language) {
+  return runPattern({rig, capture, language});
 };
 
 /// Returns the message for a command line error, with the help command that explains it.

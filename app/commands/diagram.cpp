@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/commands/session_options.h"
+#include "app/commands/words_in.h"
 #include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
 #include "app/report/spacetime_chart.h"
@@ -68,9 +69,16 @@ DiagramSubject subjectOf(const DiagramOptions& options) {
 
 bool isScenario(const std::filesystem::path& source) { return source.extension() == ".toml"; }
 
+/// Returns the language that was asked for, or that of a session's first viewer.
+std::string languageOf(const DiagramOptions& options) {
+  if (!options.language.empty()) return options.language;
+  return SessionFile(options.source, options.game, true).facts().languages.firstOf(0);
+}
+
 }  // namespace
 
 int runDiagram(const DiagramOptions& options) {
+  const WordsIn words(isScenario(options.source) ? options.language : languageOf(options));
   const DiagramSubject subject =
       isScenario(options.source)
           ? subjectOf(readScenario(options.source), options.along, options.until_s.value_or(kShown_s))
@@ -110,6 +118,7 @@ void addDiagram(CLI::App& app, int& status) {
                    "Board time of the present event; by default 5 s, or the end of a session")
       ->type_name("S")
       ->check(numberIn(kPositive, "a time above 0 up to 1e9 s"));
+  addLanguage(*command, options->language);
   command->footer("Example:\n  carom diagram three-pucks -o three-pucks.svg");
   command->callback([options, &status] {
     if (options->from_s && options->until_s && !(*options->from_s < *options->until_s)) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace CLI {
 class App;
@@ -14,6 +15,7 @@ struct DiagramOptions {
   std::filesystem::path source;     ///< a scenario or a session file
   std::optional<std::size_t> game;  ///< of a session, from 1; by default the newest
   std::filesystem::path figure;     ///< .svg or .png
+  std::string language;             ///< of its words; empty: as the first viewer read at first
   char along = 'x';                 ///< the board axis shown beside time: x or y
   /// Board time at the lower edge; by default 5 s before `until_s`, at least 0.
   std::optional<double> from_s;

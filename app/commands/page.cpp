@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands/session_options.h"
+#include "app/commands/words_in.h"
 #include "app/page/page_file.h"
 #include "app/stage/scenario_scene.h"
 #include "app/tools/option_values.h"
@@ -19,6 +20,14 @@ namespace {
 constexpr double kUsual_s = 20.0;  // of a game without a session
 
 bool isScenario(const std::filesystem::path& source) { return source.extension() == ".toml"; }
+
+/// Returns the language that was asked for, or the one that the visitor read at first.
+std::string languageOf(const PageOptions& options) {
+  if (!options.language.empty()) return options.language;
+  const SessionFile session(options.source, options.visit.game, true);
+  const std::string& as = options.visit.as;
+  return session.facts().languages.firstOf(as.empty() ? 0 : session.viewerNamed(as));
+}
 
 void checkRange(const PageOptions& options) {
   const VisitOptions& visit = options.visit;
@@ -37,6 +46,7 @@ void checkRange(const PageOptions& options) {
 
 int runPage(const PageOptions& options) {
   WholeFile out(options.page);
+  const WordsIn words(isScenario(options.source) ? options.language : languageOf(options));
   const Visit visit = isScenario(options.source)
                           ? visitOf(options.source, options.visit.until_s.value_or(kUsual_s))
                           : visitOf(options.source, options.visit);
@@ -82,6 +92,7 @@ void addPage(CLI::App& app, int& status) {
       ->check(CLI::Range(1L, 1000000L));
   command->add_flag("--still-eyes", visit.hasStillEyes,
                     "Leave out the way of the visitor's head: it stays where it was longest");
+  addLanguage(*command, options->language);
   command->footer(
       "The page holds the visit alone: no other game of the session, no tracker's samples, no file's place.\n"
       "Examples:\n  carom page game.db -o visit.html\n  carom page game.db --from 30 --until 90 --still-eyes "

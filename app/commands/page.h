@@ -2,6 +2,7 @@
 // `carom page`: a visit as one page for a browser.
 
 #include <filesystem>
+#include <string>
 
 #include "app/page/visit.h"
 
@@ -15,6 +16,7 @@ struct PageOptions {
   std::filesystem::path source;  ///< a session file or a scenario
   std::filesystem::path page;
   VisitOptions visit;
+  std::string language;  ///< of its words; empty: as it was recorded
 };
 
 /// Writes the page, whole or not at all. Returns the exit status. Throws InputErrors or std::runtime_error.

@@ -6,7 +6,9 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/commands/words_in.h"
 #include "app/files/rig.h"
+#include "app/operator/room_languages.h"
 #include "app/room_formats/room_kind.h"
 #include "app/session/frame_loop.h"
 #include "app/session/session_listeners.h"
@@ -122,6 +124,7 @@ void showPatterns(Cluster& cluster, Patterns& patterns, const PatternOptions& op
 int runPattern(const PatternOptions& options) {
   return runOnCluster([&](Cluster& cluster) {
     Patterns patterns = openPatterns(cluster, options);
+    const WordsIn words(languagesOf(patterns.rig, nullptr, options.language).firstOf(0));
     showPatterns(cluster, patterns, options);
   });
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace carom {
 
@@ -11,6 +12,7 @@ struct PatternOptions {
   /// If given, draws four frames into this folder without a window and ends: the test patterns, then the seam
   /// pattern after 0, 1 and 2 s.
   std::optional<std::filesystem::path> capture;
+  std::string language;  ///< of their words; empty: the one in which the rig's first viewer begins
 };
 
 /// Shows the patterns until Escape is pressed; under mpirun, each rank shows those of its walls. Returns the

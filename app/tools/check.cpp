@@ -439,6 +439,7 @@ void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPat
   command->add_option("--room", *room, kRoomHelp)->type_name("NAME");
   auto pattern = std::make_shared<bool>(false);
   auto capture = std::make_shared<std::optional<std::filesystem::path>>();
+  auto language = std::make_shared<std::string>();
   if (showPattern) {
     auto* show =
         command->add_flag("--pattern", *pattern,
@@ -450,11 +451,12 @@ void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPat
                      "test patterns, 1 to 3 the seam pattern after 0, 1 and 2 s")
         ->type_name("DIR")
         ->needs(show);
+    addLanguage(*command, *language)->needs(show);
   }
   command->footer("Examples:\n  carom check desk\n  carom check mine.fr.po");
   command->callback([=, &status] {
     if (*pattern) {
-      status = showPattern(*file, *capture);
+      status = showPattern(*file, *capture, *language);
       return;
     }
     begin(WorkBudget(),

@@ -27,10 +27,11 @@ struct FileOpeners {
 /// faults.
 int runCheck(const std::filesystem::path& file, const FileOpeners& open = {}, const std::string& room = {});
 
-/// Shows the test patterns of a rig, or writes them as images to the folder `capture`. Returns the exit
-/// status.
+/// Shows the test patterns of a rig, or writes them as images to the folder `capture`; their words are in the
+/// rig's language or in `language`. Returns the exit status.
 using ShowPattern =
-    std::function<int(const std::filesystem::path& rig, const std::optional<std::filesystem::path>& capture)>;
+    std::function<int(const std::filesystem::path& rig, const std::optional<std::filesystem::path>& capture,
+                      const std::string& language)>;
 
 /// Adds the command to `app`. When it runs, it stores its exit status in `status` and has a budget
 /// (cave/process/work_budget.h). Without `showPattern` there is no option for it.

@@ -63,8 +63,8 @@ CLI::Validator numberOf(const std::vector<std::pair<std::string, int>>& names) {
       "");
 }
 
-void addLanguage(CLI::App& command, std::string& language) {
-  command
+CLI::Option* addLanguage(CLI::App& command, std::string& language) {
+  return command
       .add_option(
           "--language", language,
           "Language of the words on walls and in windows: a code that carom list tells, such as fr, or "

@@ -27,7 +27,7 @@ CLI::Validator numberOf(const std::vector<std::pair<std::string, int>>& names);
 inline Vec3 toVec3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
 /// Adds the option --language. `language` is then as app/file_keys/language_name.h, or empty.
-void addLanguage(CLI::App& command, std::string& language);
+CLI::Option* addLanguage(CLI::App& command, std::string& language);
 
 /// Adds the option --json.
 void addJson(CLI::App& command, std::optional<std::filesystem::path>& json);

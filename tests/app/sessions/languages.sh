@@ -18,7 +18,7 @@ wrong() { # WORDS STATUS ARGUMENTS…
   [ "$status" -eq "$expected" ] || fail "$*: ended with $status, expected $expected"
   grep -qF -- "$words" "$out/stderr" || fail "$*: '$words' is not said"
 }
-for command in "cave" "replay none.db"; do
+for command in "cave" "replay none.db" "diagram twins -o $out/d.svg" "page twins -o $out/p.html" "check desk --pattern"; do
   wrong "'../fr' is no language, expected a code" 2 $command --language ../fr
   wrong "there is no file '$out/gone.po', expected a PO file" 2 $command --language "$out/gone.po"
 done
