@@ -67,6 +67,7 @@ void CavePhones::play(const SessionSetup& setup, const std::filesystem::path& se
   }
   live_.begin(game, startingHistories(setup.scenario));
   afterwards([this, rig = setup.rig, scenario = setup.scenario, scene = scene_, game] {
+    const texts::InLanguage read(texts::ofSession(0));
     const Page page = std::make_shared<const std::string>(pageOf(visitToFollow(rig, scenario, game), *scene));
     const std::scoped_lock hold(mutex_);
     followed_ = page;
@@ -81,6 +82,7 @@ void CavePhones::end(ClassDesk& desk) {
   afterwards([session, game, scene = scene_, &desk] {
     const Visit visit = visitOf(session, wholeGame(session, game));
     if (visit.frames.back().display_s - visit.frames.front().display_s < kLeast_s) return;
+    const texts::InLanguage read(texts::ofSession(0));
     desk.offer(anyTakeCode(), pageOf(visit, *scene));
   });
 }

@@ -180,7 +180,7 @@ void EffectsPanel::drawLanguages(const ConsoleFrame& frame) const {
     if (viewers == 1) {
       heading(texts::console::kLanguage);
     } else {
-      heading(fmt::format(texts::console::kLanguageOf, viewers_.at(viewer)).c_str());
+      heading(texts::format(texts::console::kLanguageOf, viewers_.at(viewer)).c_str());
     }
     if (viewer == 0) drawKey("F9");
     ImGui::PushID(static_cast<int>(viewer));

@@ -82,7 +82,6 @@ void EventsPanel::drawRow(const Row& row) const {
   ImGui::TableNextColumn();
   words(std::to_string(row.event->number));
   ImGui::TableNextColumn();
-  if (language_ != texts::language()) nameInLanguage();
   words(whoOf(*row.event, puckNames_, flashNames_));
   ImGui::TableNextColumn();
   words(whatOf(*row.event));
@@ -102,6 +101,7 @@ void EventsPanel::drawRow(const Row& row) const {
 }
 
 void EventsPanel::draw(const FrameRecord& record) {
+  if (language_ != texts::language()) nameInLanguage();
   find(record);
   ImGui::AlignTextToFramePadding();
   words(texts::console::kHappened);

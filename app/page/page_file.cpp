@@ -9,7 +9,6 @@
 #include "app/page/still_picture.h"
 #include "app/tables/html_text.h"
 #include "cave/frame/bodies.h"
-#include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 #include "pages/controls_js.h"
 #include "pages/data_js.h"
@@ -64,7 +63,6 @@ bool canMakePages() {
 }
 
 std::string pageOf(const Visit& visit, const Scene& scene) {
-  const texts::InLanguage read(texts::ofSession(0));
   const std::string engine = engineLetters(), content = lettersOf(pageContent(visit, scene));
   PageWords words{{"title", htmlOf(texts::other(visit.scenario.title))},
                   {"language", texts::languageCode()},

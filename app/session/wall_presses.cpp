@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/overlay/band_layout.h"
+#include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -29,6 +30,8 @@ void WallPresses::play(const Scenario& scenario) {
 
 void WallPresses::follow(const SeenFrame& shown) {
   if (!front_) return;
+  const texts::InLanguage reads(
+      texts::ofSession(shown.self.language));  // its buttons are as wide as its words
   if (text_.follow(shown)) {
     band_.clear();
     if (text_.isBand()) addBand(*front_, text_.lines(), band_);

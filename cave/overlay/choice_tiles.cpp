@@ -50,7 +50,7 @@ std::pair<std::string, std::string> ChoiceTiles::wordsOf(const WallAction& actio
   if (action.kind == WallAction::Kind::language)
     return {action.number < languages_.size() ? languages_[action.number] : std::string(), "F9"};
   const auto [name, key] = textsOf(action);
-  return {name, texts::inLayout(key)};
+  return {std::string(name), texts::inLayout(key)};
 }
 
 /// Returns the label of a tile of this size, rendered when it is first needed.
