@@ -14,7 +14,7 @@ namespace carom {
 
 /// Puts the languages that rank 0 has into use on every rank, with the words beside the `scenarios` of one's
 /// own, and returns their names. Windows and plates have their letters from then on. Throws on every rank
-/// what is wrong with a file, or that no font here has the letters of a language.
+/// if a file has errors, or if no font here has the letters of a language.
 std::vector<std::string> shareLanguages(const Cluster& cluster, const SessionLanguages& languages,
                                         std::span<const std::string> scenarios);
 

@@ -398,7 +398,8 @@ void tellItemBank(const std::filesystem::path& path) {
 
 }  // namespace
 
-int runCheck(const std::filesystem::path& file, const FileOpeners& open, const std::string& room) {
+int runCheck(const std::filesystem::path& file, const FileOpeners& open, const std::string& room,
+             const std::filesystem::path& rig) {
   switch (kindOf(file)) {
     case FileKind::scenario:
       tellScenario(file, open);
@@ -417,7 +418,7 @@ int runCheck(const std::filesystem::path& file, const FileOpeners& open, const s
     case FileKind::foreignRoom:
       return tellForeignRoom(file, room);
     case FileKind::translation:
-      return tellTranslation(file) ? 1 : 0;
+      return tellTranslation(file, rig) ? 1 : 0;
   }
   return 0;
 }
@@ -437,6 +438,14 @@ void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPat
       ->transform(shipped({"rigs", "scenarios", "playlists", "studies"}));
   auto room = std::make_shared<std::string>();
   command->add_option("--room", *room, kRoomHelp)->type_name("NAME");
+  auto rig = std::make_shared<std::filesystem::path>();
+  command
+      ->add_option(
+          "--rig", *rig,
+          "Of a translation: whether its texts have room on the walls of this rig. Default: desk, play, "
+          "single-screen, headset, desk-two and four-walls-cluster")
+      ->type_name("RIG")
+      ->transform(shipped({"rigs"}));
   auto pattern = std::make_shared<bool>(false);
   auto capture = std::make_shared<std::optional<std::filesystem::path>>();
   auto language = std::make_shared<std::string>();
@@ -464,7 +473,7 @@ void addCheck(CLI::App& app, int& status, const FileOpeners& open, const ShowPat
                       "to be examined, expected a smaller file",
                       printable(file->string())));
     try {
-      status = runCheck(*file, open, *room);
+      status = runCheck(*file, open, *room, *rig);
     } catch (const std::bad_alloc&) {
       std::terminate();  // says that the budget is used up
     }

@@ -22,10 +22,11 @@ struct FileOpeners {
   std::function<void(const std::filesystem::path&, const Rig&)> blends{};
 };
 
-/// `room` names one of several rooms in a file of another program. Returns the exit status: 1 if such a room
-/// has errors. Throws InputErrors if the file has
-/// faults.
-int runCheck(const std::filesystem::path& file, const FileOpeners& open = {}, const std::string& room = {});
+/// `room` names one of several rooms in a file of another program; on `rig` the texts of a translation are
+/// laid out (app/tools/check_translation.h). Returns the exit status: 1 if such a room or a translation has
+/// errors. Throws InputErrors if the file has faults.
+int runCheck(const std::filesystem::path& file, const FileOpeners& open = {}, const std::string& room = {},
+             const std::filesystem::path& rig = {});
 
 /// Shows the test patterns of a rig, or writes them as images to the folder `capture`; their words are in the
 /// rig's language or in `language`. Returns the exit status.

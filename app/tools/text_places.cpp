@@ -191,7 +191,7 @@ class Places {
         static_cast<double>(kPlateLetters) * kLetterCell_px.x);
   }
 
-  /// The console's buttons, columns and left part grow with their words, down to what is left of its window.
+  /// The console's buttons, columns and left part grow with their words, as far as its window has room.
   void addInConsole(const std::string& entry, const std::string& words) {
     const double width_px = widthOf_em(words) * kConsole_px;
     for (const char* button : {"console.kHide", "console.kNextVisitor", "console.kKeysButton",

@@ -5,7 +5,7 @@
 
 namespace carom::texts {
 
-const char* wordsFor(const Text& text, double number) {
+const char* formFor(const Text& text, double number) {
   if (const Language* const used = language()) return used->wordsFor(text, number);
   return pluralForm("en", number) == 0 ? text.english() : text.englishOfMany();
 }

@@ -75,6 +75,9 @@ decltype(auto) localized(const Value& value) {
   }
 }
 
+/// Returns the words of a text with a count for that many.
+const char* formFor(const Text& text, double number);
+
 /// Returns the words of a text for its values. If it has a count, that is the first value.
 template <typename... Values>
 const char* wordsFor(const Text& text, const Values&... values) {
@@ -83,11 +86,10 @@ const char* wordsFor(const Text& text, const Values&... values) {
       if constexpr (Countable<std::remove_cvref_t<decltype(value)>>) return static_cast<double>(value);
       return 0.0;
     };
-    if (text.englishOfMany()) return wordsFor(text, first(values...));
+    if (text.englishOfMany()) return formFor(text, first(values...));
   }
   return text.words();
 }
-const char* wordsFor(const Text& text, double number);
 
 /// Returns a text with its values.
 template <typename... Values>

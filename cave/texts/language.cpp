@@ -44,7 +44,7 @@ Language Language::pseudo() {
   Language made("pseudo");
   made.isPseudo_ = true;
   for (const Entry& entry : catalogue()) {
-    if (*entry.text.english() == 0) continue;
+    if (*entry.text.english() == 0 || entry.name.starts_with("plate.")) continue;  // twelve letters at most
     std::vector<std::string> forms{pseudoOf(entry.text.english())};
     if (entry.text.englishOfMany()) forms.push_back(pseudoOf(entry.text.englishOfMany()));
     made.put(entry.text.index(), std::move(forms));

@@ -35,7 +35,7 @@ std::string wordsOfText(const Json& part, int depth) {
   }
   const bool counts = text.englishOfMany() && part.size() > 1 && part[1].is_number();
   try {
-    return fmt::vformat(counts ? wordsFor(text, part[1].get<double>()) : text.words(), values);
+    return fmt::vformat(counts ? formFor(text, part[1].get<double>()) : text.words(), values);
   } catch (const fmt::format_error&) {  // values that it has no place for, from outside
     return text.words();
   }

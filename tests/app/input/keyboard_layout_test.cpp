@@ -77,19 +77,19 @@ TEST(KeyboardLayout, WordsOfOneSignAreKeys) {
 
 TEST(KeyboardLayout, TheListOfKeysFollowsIt) {
   KeyList list(KeysOf::session);
-  EXPECT_EQ(keysFor(list.in(0), texts::keys::kSteer), "W A S D");
-  EXPECT_EQ(keysFor(list.in(0), texts::keys::kLight), "[ ]");
-  EXPECT_EQ(keysFor(list.in(0), texts::keys::kStrain), "Z");
-  EXPECT_EQ(keysFor(list.in(0), texts::keys::kNextLanguage), "F9");
+  EXPECT_EQ(keysFor(list.in(0), texts::keys::kSteer.english()), "W A S D");
+  EXPECT_EQ(keysFor(list.in(0), texts::keys::kLight.english()), "[ ]");
+  EXPECT_EQ(keysFor(list.in(0), texts::keys::kStrain.english()), "Z");
+  EXPECT_EQ(keysFor(list.in(0), texts::keys::kNextLanguage.english()), "F9");
   {
     const FrenchKeys french;
-    EXPECT_EQ(keysFor(list.in(0), texts::keys::kSteer), "Z Q S D");
-    EXPECT_EQ(keysFor(list.in(0), texts::keys::kLight), "^ $");
-    EXPECT_EQ(keysFor(list.in(0), texts::keys::kStrain), "W");
-    EXPECT_EQ(keysFor(list.in(0), texts::keys::kSpeeds), ";");
-    EXPECT_EQ(keysFor(list.in(0), texts::keys::kRetardation), "1") << "digits stay";
+    EXPECT_EQ(keysFor(list.in(0), texts::keys::kSteer.english()), "Z Q S D");
+    EXPECT_EQ(keysFor(list.in(0), texts::keys::kLight.english()), "^ $");
+    EXPECT_EQ(keysFor(list.in(0), texts::keys::kStrain.english()), "W");
+    EXPECT_EQ(keysFor(list.in(0), texts::keys::kSpeeds.english()), ";");
+    EXPECT_EQ(keysFor(list.in(0), texts::keys::kRetardation.english()), "1") << "digits stay";
   }
-  EXPECT_EQ(keysFor(list.in(0), texts::keys::kSteer), "W A S D");
+  EXPECT_EQ(keysFor(list.in(0), texts::keys::kSteer.english()), "W A S D");
 }
 
 TEST(KeyboardLayout, AnotherNodeHasTheSameNames) {
@@ -110,7 +110,7 @@ TEST(KeyboardLayout, AnotherNodeHasTheSameNames) {
 
 TEST(KeyboardLayout, PlusIsOnTheKeyOfTheEqualsSignOrOnTheOneInItsPlace) {
   const std::string us = keyNamesInUse();
-  const auto eyesApart = [] { return keysFor(keyMap(KeysOf::session), texts::keys::kEyesApart); };
+  const auto eyesApart = [] { return keysFor(keyMap(KeysOf::session), texts::keys::kEyesApart.english()); };
   EXPECT_EQ(eyesApart(), "+ -");
   texts::keyNames.set('-', ")");
   useKeyNames(keyNamesInUse());

@@ -251,7 +251,7 @@ TEST(FollowingDirector, DecidesNothing) {
 
 TEST_F(DirectorTest, F9GoesThroughTheLanguagesOfTheFirstViewerAndAHandThroughItsOwn) {
   EXPECT_EQ(frame(pressing(GLFW_KEY_F9)).viewers[0].language, 0);
-  EXPECT_EQ(inputs(), Words{std::string("refused: ") + texts::message::kOneLanguage});
+  EXPECT_EQ(inputs(), Words{std::string("refused: ") + texts::message::kOneLanguage.english()});
   OperatorSettings settings;
   settings.languages = std::make_shared<const SessionLanguages>(SessionLanguages{{"fr", "ja"}, {}, true});
   leader_.begin(settings);
