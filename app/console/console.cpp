@@ -97,16 +97,18 @@ void Console::play(const Scenario& scenario, const Scene& scene) {
   say(scenario.title);
 }
 
-void Console::say(const std::string& line) {
-  said_.push_front({now_s_, line});
+void Console::say(const std::string& line) { say({now_s_, line, {}}); }
+
+void Console::say(Line line) {
+  said_.push_front(std::move(line));
   if (said_.size() > kMostSaid) said_.pop_back();
 }
 
 void Console::show(const ConsoleFrame& frame) {
   now_s_ = frame.record.display_s;
-  if (const std::string_view notice = frame.record.viewers.front().notice.words(); notice != notice_) {
+  if (const Notice& notice = frame.record.viewers.front().notice; notice != notice_) {
     notice_ = notice;
-    if (!notice.empty()) say(notice_);
+    if (!notice.empty()) say({now_s_, {}, notice});
   }
   if (std::exchange(keysShown_, frame.settings.keysShown) != frame.settings.keysShown) opensKeys_ = true;
   events_.follow(frame.world);
@@ -178,7 +180,7 @@ void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
   const float words_px = isNarrow ? width : buttons - kGap_px;
   ImGui::PushClipRect(at, {at.x + words_px, at.y + ImGui::GetWindowHeight()}, true);
   useHeadingFont();
-  words(title_);
+  words(texts::other(title_));
   ImGui::PopFont();
   ImGui::SameLine(0.0F, 30.0F);
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4.0F);
@@ -254,7 +256,7 @@ void Console::drawSaid() const {
   for (const Line& line : said_) {
     dim(texts::format(texts::console::kSaidAt, line.said_s));
     ImGui::SameLine();
-    words(line.words);
+    words(line.notice.empty() ? texts::other(line.words) : line.notice.words());
   }
 }
 

@@ -51,9 +51,11 @@ class Console {
  private:
   using Clock = std::chrono::steady_clock;
   struct Line {
-    double said_s;  ///< session clock
-    std::string words;
+    double said_s;      ///< session clock
+    std::string words;  ///< of a game, or of the log
+    Notice notice;      ///< instead of them
   };
+  void say(Line line);
   void drawAll(const ConsoleFrame& frame);
   void drawTop(const ConsoleFrame& frame, bool isNarrow);
   void drawButtons(const ConsoleFrame& frame, const ImVec2& size);
@@ -79,7 +81,7 @@ class Console {
   console::SessionClocks clocks_;
   LiveDiagram diagram_;
   std::deque<Line> said_;
-  std::string notice_;
+  Notice notice_;
   double now_s_ = 0.0;  ///< session clock
   bool opensKeys_ = false;
   bool keysShown_ = false;  ///< over the walls; when this changes, the list opens here too

@@ -80,6 +80,7 @@ void addLesson(const TomlTable& lesson, Gathered& texts) {
   for (const char* key : {"todo", "notice", "number"}) texts.add(lesson, key, fmt::format("lesson {}", key));
   texts.addEach(lesson.tables("observer"), "name", "lesson observer");
   texts.addEach(lesson.tables("stopwatch"), "name", "lesson stopwatch");
+  texts.addEach(lesson.tables("label"), "text", "lesson label");
 }
 
 }  // namespace

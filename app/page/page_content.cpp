@@ -88,7 +88,7 @@ Json bodiesOf(const Visit& visit, const Scene& scene) {
                                  : scenario.bodies[told].name;
     Json knots = Json::array();
     for (const Knot& knot : line.knots()) knots.push_back(numbersOf(knot));
-    bodies.push_back({{"name", name},
+    bodies.push_back({{"name", texts::other(name)},
                       {"reach_m", scene.reach_m[body]},
                       {"stripes_m", ghostStripes_m(scene.reach_m[body])},
                       {"radius_m", std::isfinite(line.radius_m()) ? Json(line.radius_m()) : Json("endless")},
@@ -252,7 +252,8 @@ Json captionsOf(const Scenario& scenario) {
 
 std::string pageContent(const Visit& visit, const Scene& scene) {
   PageBulk bulk;
-  Json json{{"title", visit.scenario.title},
+  Json json{{"title", texts::other(visit.scenario.title)},
+            {"point", texts::language() ? texts::language()->digits().point : "."},
             {"lightSpeed_m_s", visit.scenario.billiard.lightSpeed_m_s},
             {"pucks", visit.scenario.billiard.pucks.size()},
             {"known_s", visit.known_s},

@@ -31,7 +31,7 @@ bool tellTranslation(const std::filesystem::path& file, const std::filesystem::p
   fmt::print("{}: {} of {} texts are translated\n", read.judged.code, read.judged.translated.size(),
              read.rules.sources.size());
   if (failed) return true;
-  const auto language = loadLanguage(file.string(), fontsHere());
+  const auto language = loadLanguage(file.string(), {});
   const texts::InLanguage reads(language.get());
   std::vector<EntryWords> entries;
   for (const Translated& text : read.judged.translated)
@@ -44,7 +44,7 @@ bool tellTranslation(const std::filesystem::path& file, const std::filesystem::p
       for (TextPlace& place : placesOn(configFolder() / "rigs" / (std::string(name) + ".toml"), entries))
         places.push_back(std::move(place));
   }
-  printTextPlaces(read.judged.code, places);
+  if (!places.empty()) printTextPlaces(read.judged.code, places);
   return false;
 }
 

@@ -263,7 +263,7 @@ void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPla
 /// Adds the numbers behind the motion overlay on the floor (cave/overlay/motion_overlay.h), but not while a
 /// caption says what to look for during a scripted flight.
 void addDrive(const SeenFrame& seen, Lines& lines) {
-  const bool isTold = seen.record.drive.mode == DriveMode::tour && !seen.self.notice.words().empty();
+  const bool isTold = seen.record.drive.mode == DriveMode::tour && !seen.self.notice.empty();
   if (!isDriven(seen) || isTold) return;
   const Vec3 u = seen.record.boardFromRoom.u();
   const double gamma = gammaFromU(u);

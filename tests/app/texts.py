@@ -107,12 +107,27 @@ def isText(literal):
     return not literal.startswith("##") and re.search(r"[^\W\d_]", bare)
 
 
+# English that a file or a log has, whatever the language in use.
+ENGLISH = {
+    "app/operator/command.cpp": "the values of commands in a session file",
+    "app/operator/lesson.cpp": "the answers in a session file",
+    "app/play/hand_force.cpp": "the notes of a session file",
+    "app/session/announcements.cpp": "the notes of a session file",
+    "app/session/director.cpp": "the answers in a session file",
+    "app/session/linked_room.cpp": "how long a message is in the record",
+}
+
 needed = set()
 for room in SCANNED:
     for file in sorted((root / room).glob("*")):
         if file.suffix not in (".cpp", ".h"):
             continue
         name = str(file.relative_to(root))
+        for line, words in enumerate(file.read_text().splitlines(), 1):
+            if ".english()" in words and "log::" not in words:
+                if name not in ENGLISH:
+                    fail(f"{name}:{line}: a text is in English, whatever the language in use is")
+                needed.add(name + " ENGLISH")
         for literal, line, calls in literals(file.read_text()):
             if not isText(literal) or KEY.fullmatch(literal):
                 continue
@@ -135,6 +150,9 @@ for file in sorted(root.glob("*/*/*.*")):
         if re.search(rf'(?m)^#include ["<]{re.escape(header)}[">]', file.read_text()):
             fail(f"{file.relative_to(root)} includes {header}, so it can show texts, but {room} is not scanned for them")
 
+for name in sorted(ENGLISH):
+    if name + " ENGLISH" not in needed:
+        fail(f"{name} is excepted, but has no English of its own")
 for unused in sorted((NOT_SHOWN | LITERALS | set(OWN_WORDS)) - needed):
     fail(f"{unused} is excepted, but there is nothing to except")
 

@@ -275,15 +275,20 @@ class Controls {
     return [(width - wide) >> 1, (height - high) >> 1, wide, high];
   }
 
+  // Returns a number with the sign that the page's language has before decimals.
+  written(number, decimals) {
+    return (decimals === undefined ? String(number) : number.toFixed(decimals)).replace(".", this.about.point);
+  }
+
   // Says what is to be said, some times a second.
   tell(ms) {
     if (ms - (this.told_ms || -1000) < 150 && this.plays) return;
     this.told_ms = ms;
     const { view, about } = this, u = Array.from(inverse(view.headFromBoard).slice(1, 4)), speed = V.length(u) / Math.hypot(1, V.length(u));
-    this.facts.textContent = fill(texts.light, about.lightSpeed_m_s) + " · " +
-      fill(texts.clock, view.own_s.toFixed(1), view.eyes.mono.event[0].toFixed(1), speed.toFixed(2));
+    this.facts.textContent = fill(texts.light, this.written(about.lightSpeed_m_s)) + " · " +
+      fill(texts.clock, this.written(view.own_s, 1), this.written(view.eyes.mono.event[0], 1), this.written(speed, 2));
     this.says.textContent = this.words();
-    this.clock.textContent = (this.game ? view.own_s : this.now_s - this.shown.frames.from_s).toFixed(1) + " s";
+    this.clock.textContent = this.written(this.game ? view.own_s : this.now_s - this.shown.frames.from_s, 1) + " s";
     this.tellEvents(u);
   }
 
@@ -309,7 +314,7 @@ class Controls {
     const past = events.filter(event => about.lightSpeed_m_s * (now[0] - event.at[0]) >= V.length(V.less(event.at.slice(1), now.slice(1))));
     const own = past.map(event => transformed(inverse(boost(u)), [about.lightSpeed_m_s * event.at[0], ...event.at.slice(1)])[0]);
     const order = own.map(time => 1 + own.filter(other => other < time).length);
-    const lines = past.map((event, i) => fill(texts.event, this.nameOf(event), event.at[0].toFixed(3), order[i]));
+    const lines = past.map((event, i) => fill(texts.event, this.nameOf(event), this.written(event.at[0], 3), order[i]));
     const text = lines.join("\n");
     if (text === this.toldEvents) return;
     this.toldEvents = text;

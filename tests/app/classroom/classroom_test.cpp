@@ -39,7 +39,7 @@ class Class : public testing::Test {
     room_.receive(id, PhoneAnswer{answer, confidence, round}, now_s_);
     return told(id);
   }
-  void take(ClassStep step) { EXPECT_EQ(room_.take(step, now_s_), nullptr) << static_cast<int>(step); }
+  void take(ClassStep step) { EXPECT_FALSE(room_.take(step, now_s_)) << static_cast<int>(step); }
   std::vector<Classroom::Id> phones(int count) {
     std::vector<Classroom::Id> all;
     for (int i = 0; i < count; ++i) all.push_back(phone());
@@ -277,7 +277,7 @@ TEST_F(Class, GoesOnWhereASessionBrokeOff) {
   EXPECT_EQ(told["first"], 1);
   EXPECT_EQ(told["yours"], nullptr);
   room.receive(1, PhoneAnswer{2, 0, 2}, 53.0);
-  EXPECT_EQ(room.take(ClassStep::close, 60.0), nullptr);
+  EXPECT_FALSE(room.take(ClassStep::close, 60.0));
   const auto votes = room.takeVotes();
   ASSERT_EQ(votes.size(), 1U) << "those of the first vote stand in the file already";
   EXPECT_EQ(votes[0], (ClassVote{2, "Twins", kQuestion.question, "b", "At home", 0, 3.0, ""}));
