@@ -31,6 +31,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cave/texts/texts.h"
 #include "engine/base/whole_file.h"
 
 namespace carom {
@@ -125,10 +126,10 @@ void addLine(vtkChartXY& chart, const Chart& what, const ChartLine& line) {
   if (line.style == ChartLine::Style::dotted) plot->GetPen()->SetLineType(vtkPen::DOT_LINE);
 }
 
-/// Sets the DejaVu font, which has Greek letters; VTK's own fonts have none.
+/// Sets a font that has the letters of the language in use, and Greek ones; VTK's own fonts have none.
 void useFont(vtkTextProperty& text, int size) {
   text.SetFontFamily(VTK_FONT_FILE);
-  text.SetFontFile(kLettersFile);
+  text.SetFontFile(fontFileOf(texts::diagram::kMe.words()));
   text.SetFontSize(size);
   text.SetBold(false);
 }

@@ -179,7 +179,7 @@ void addEvents(Chart& chart, const DiagramSubject& subject, const Plane& plane, 
     if (event.at.t_s < span.from_s || event.at.t_s > span.until_s) continue;
     const bool isNamed = event.kind == EventKind::flash && event.which < subject.flashes.size();
     if (isNamed && flashes < kFlashColours.size()) {
-      addFlash(chart, subject.flashes[event.which], plane(event.at), kFlashColours[flashes++]);
+      addFlash(chart, texts::other(subject.flashes[event.which]), plane(event.at), kFlashColours[flashes++]);
     } else {
       happened.points.push_back(plane(event.at));
     }
@@ -227,11 +227,11 @@ void addOthers(Chart& chart, std::span<const OtherObserver> others, std::size_t 
 
 DiagramSubject subjectOf(const Scenario& scenario) {
   DiagramSubject subject;
-  subject.title = texts::other(scenario.title);
+  subject.title = scenario.title;
   subject.c_m_s = scenario.billiard.lightSpeed_m_s;
   for (const Puck& puck : scenario.billiard.pucks) subject.names.push_back(puck.name);
   for (const ScriptedBody& body : scenario.bodies) subject.names.push_back(body.name);
-  for (const Flash& flash : scenario.billiard.flashes) subject.flashes.push_back(texts::other(flash.name));
+  for (const Flash& flash : scenario.billiard.flashes) subject.flashes.push_back(flash.name);
   subject.board = scenario.billiard.board;
   return subject;
 }
@@ -293,7 +293,7 @@ Chart spacetimeChart(const DiagramSubject& subject, const DiagramFrame& frame) {
   const double until_s = present.t_s + kFuture * (present.t_s - from_s);
 
   Chart chart;
-  chart.title = texts::format(texts::diagram::kTitle, subject.title, subject.c_m_s);
+  chart.title = texts::format(texts::diagram::kTitle, texts::other(subject.title), subject.c_m_s);
   chart.xTitle = texts::format(texts::diagram::kAcross, frame.along);
   chart.yTitle = texts::diagram::kUpwards;
   const double half_m = halfExtent_m(subject, frame.along);

@@ -163,6 +163,7 @@ SessionSetup setUpSession(Cluster& cluster, const SetupOptions& options) {
   setup.people = !people.empty();
   const std::array games{options.scenario.file.string()};
   setup.languages = shareLanguages(cluster, options.languages, games);
+  const texts::InLanguage named(texts::ofSession(options.languages.atStart.front()));  // windows and bands
   adaptGame(setup);
   onAllRanks(cluster, [&] {
     if (options.live && cluster.rank() == 0) openTraces(setup.rig);

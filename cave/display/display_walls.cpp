@@ -39,6 +39,7 @@ void DisplayWalls::sayStarting() {
 void DisplayWalls::draw(const FrameRecord& record, const World& world) {
   pictures_.hangOnHead(record.headset);
   drawn_ = record.controls;
+  const texts::InLanguage reads(texts::ofSession(record.viewers.front().language));
   if (drawn_.blank) return pictures_.drawBlack();
   switch (drawn_.shown) {
     case Shown::session:

@@ -195,6 +195,15 @@ std::optional<std::size_t> fontOf(char32_t letter) {
   return face ? std::optional(letters().placeInChain(*face)) : std::nullopt;
 }
 
+const char* fontFileOf(std::string_view text) {
+  std::size_t last = 0;
+  while (!text.empty()) {
+    const std::optional<char32_t> letter = takeCodePoint(text);
+    if (letter) last = std::max(last, fontOf(*letter).value_or(0));
+  }
+  return letterFonts()[last].file;
+}
+
 std::string missingFontPackage() {
   for (const LetterFont& font : letterFonts())
     if (!std::filesystem::exists(font.file)) return font.package;

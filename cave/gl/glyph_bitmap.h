@@ -49,6 +49,10 @@ int advanceOf_px(char32_t letter);
 /// Returns the place in the chain of the first installed font that has a letter; none.
 std::optional<std::size_t> fontOf(char32_t letter);
 
+/// Returns the file of the last font in the chain that the letters of a text need, for what can use one
+/// alone.
+const char* fontFileOf(std::string_view text);
+
 /// Returns the package of the first font of the chain that is not installed; empty if all are.
 std::string missingFontPackage();
 

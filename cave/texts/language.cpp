@@ -114,7 +114,7 @@ void setSessionLanguages(std::vector<std::shared_ptr<const Language>> languages)
 }
 
 const Language* ofSession(std::size_t number) {
-  return number < sessionLanguages.size() ? sessionLanguages[number].get() : nullptr;
+  return number < sessionLanguages.size() ? sessionLanguages[number].get() : inUse;
 }
 
 const Language* language() { return inUse; }

@@ -66,7 +66,8 @@ class Language {
 /// Sets the languages of the session, by their numbers in its records; null: English. They are read by all
 /// threads: set them before there are others.
 void setSessionLanguages(std::vector<std::shared_ptr<const Language>> languages);
-/// Returns the session's language of that number; null: English.
+/// Returns the session's language of that number; null: English. Before a session has set its languages, the
+/// one in use.
 const Language* ofSession(std::size_t number);
 
 /// Returns the language in use; null: English.

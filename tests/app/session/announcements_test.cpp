@@ -23,9 +23,7 @@ class AnnouncementsForTwo : public testing::Test {
     record.viewerCount = 2;
     record.display_s = record.viewers[0].observer.properTime_s = now_s;
   }
-  std::string read(std::size_t viewer) const {
-    return decision_.frame.record.viewers[viewer].notice.words();
-  }
+  std::string read(std::size_t viewer) const { return decision_.frame.record.viewers[viewer].notice.words(); }
 
   const test::LogLines log_;
   Rig rig_;
