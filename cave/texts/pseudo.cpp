@@ -7,7 +7,7 @@ namespace carom::texts {
 namespace {
 
 constexpr double kLonger = 0.4;
-constexpr const char* kFilling = "~";
+constexpr const char* kFilling = "-";  // narrow: wider letters would make a text 60 % wider
 
 const char* accented(char letter) {
   static constexpr std::string_view kPlain = "AEIOUaeiouncyNC";

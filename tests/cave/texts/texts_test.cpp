@@ -193,7 +193,7 @@ TEST(Pseudo, WordsAreLongerAndInBracketsAndKeysAndValuesStay) {
         << words;
     EXPECT_EQ(std::ranges::count(words, '{'), std::ranges::count(english, '{')) << words;
   }
-  EXPECT_STREQ(lesson::kLeave, "[Léåvé  F7~~]");
+  EXPECT_STREQ(lesson::kLeave, "[Léåvé  F7--]");
   EXPECT_STREQ(cue::kSpeed, "{:.2f} c");
   EXPECT_EQ(other("red"), "[réd]");
 }
