@@ -77,21 +77,16 @@ class Words {
     if (code_.empty()) code_ = read.judged.code;
     for (const Translated& one : read.judged.translated) {
       const SourceText& source = read.rules.sources[one.source];
-      for (const std::string& form : one.forms) all_ += form;
       source.hasValues ? texts_.push_back({source.context, one.forms})
                        : games_.push_back({source.english, one.forms});
     }
   }
 
   const std::string& code() const { return code_; }
-  /// Returns all words, one behind another.
-  const std::string& all() const { return all_; }
 
   /// Puts the words into a language; of two for the same English in games the first.
   void putInto(texts::Language& language) const {
-    std::unordered_map<std::string_view, std::size_t> indices;
-    for (const texts::Entry& entry : texts::catalogue()) indices.emplace(entry.name, entry.text.index());
-    for (const auto& [name, forms] : texts_) language.put(indices.at(name), forms);
+    for (const auto& [name, forms] : texts_) language.put(texts::textNamed(name).index(), forms);
     std::unordered_set<std::string_view> known;
     for (const auto& [english, forms] : games_) {
       if (known.insert(english).second) language.putOther(english, forms.front());
@@ -103,22 +98,23 @@ class Words {
     std::string of;
     std::vector<std::string> forms;
   };
-  std::string code_, all_;
+  std::string code_;
   std::vector<Text> texts_, games_;
 };
 
 /// Throws if no font here has the letters of a language: a tenth of them would be boxes.
-void checkFonts(const Words& words, const LetterFonts& fonts) {
+void checkFonts(const texts::Language& language, const LetterFonts& fonts) {
   if (!fonts.lettersWithoutFont || !fonts.missingPackage) return;
-  const std::u32string missing = fonts.lettersWithoutFont(words.all());
-  const std::u32string signs = codePointsOf(words.all());
+  const std::string words = language.allWords("");
+  const std::u32string missing = fonts.lettersWithoutFont(words);
+  const std::u32string signs = codePointsOf(words);
   const std::size_t all = std::unordered_set<char32_t>(signs.begin(), signs.end()).size();
   const std::string package = missing.size() * 10 > all ? fonts.missingPackage() : "";
   if (package.empty()) return;
   throw std::runtime_error(
       fmt::format("language '{0}': no font here has {1} of its {2} letters, expected the package {3} "
                   "(apt-get install {3})",
-                  words.code(), missing.size(), all, package));
+                  language.code(), missing.size(), all, package));
 }
 
 [[noreturn]] void refuse(const std::string& given) {
@@ -189,9 +185,9 @@ std::shared_ptr<texts::Language> loadLanguage(const std::string& given, const Le
     words.add(folder / kTexts);
     if (isFile(folder / kGames)) words.add(folder / kGames);
   }
-  checkFonts(words, fonts);
   auto language = std::make_shared<texts::Language>(words.code());
   words.putInto(*language);
+  checkFonts(*language, fonts);
   return language;
 }
 

@@ -13,6 +13,7 @@
 #include "app/files/config_folder.h"
 #include "app/files/toml_file.h"
 #include "app/languages/letters.h"
+#include "cave/texts/numbered_name.h"
 #include "engine/base/code_points.h"
 
 namespace carom {
@@ -55,7 +56,7 @@ class Gathered {
     for (const TomlTable& thing : things) {
       if (!thing.has("name")) continue;
       const std::string whole = thing.text("name", "");
-      const std::string name(nameWithoutNumber(whole));
+      const std::string name(texts::nameWithoutNumber(whole));
       add("name " + name, name, thing.place("name"));
     }
   }
@@ -84,14 +85,6 @@ void addLesson(const TomlTable& lesson, Gathered& texts) {
 }
 
 }  // namespace
-
-std::string_view nameWithoutNumber(std::string_view name) {
-  std::string_view rest = name;
-  while (!rest.empty() && rest.back() >= '0' && rest.back() <= '9') rest.remove_suffix(1);
-  if (rest.size() == name.size()) return name;
-  while (!rest.empty() && rest.back() == ' ') rest.remove_suffix(1);
-  return rest;
-}
 
 std::vector<SourceText> scenarioTexts(const std::filesystem::path& path) {
   const TomlFile file(path, scenarioKeys());

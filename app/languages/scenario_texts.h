@@ -19,7 +19,4 @@ std::vector<SourceText> scenarioTexts(const std::filesystem::path& file);
 /// Returns the texts of all shipped scenarios, in the order of their names.
 std::vector<SourceText> shippedScenarioTexts();
 
-/// Returns a name without the number at its end: "left" of "left 3".
-std::string_view nameWithoutNumber(std::string_view name);
-
 }  // namespace carom

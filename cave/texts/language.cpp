@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cave/texts/numbered_name.h"
 #include "cave/texts/pseudo.h"
 
 namespace carom::texts {
@@ -74,12 +75,10 @@ std::string Language::other(std::string_view english) const {
   const auto isDigit = [](char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; };
   if (const auto whole = others_.find(std::string(english)); whole != others_.end()) return whole->second;
   if (!english.empty() && isDigit(english[0])) return withPoint(english, digits_.point);
-  std::size_t bare = english.size();
-  while (bare > 0 && isDigit(english[bare - 1])) --bare;
-  if (bare == english.size() || bare < 2 || english[bare - 1] != ' ') return std::string(english);
-  const auto name = others_.find(std::string(english.substr(0, bare - 1)));
-  if (name == others_.end()) return std::string(english);
-  return name->second + std::string(english.substr(bare - 1));
+  const std::string_view bare = nameWithoutNumber(english);
+  const auto name = others_.find(std::string(bare));
+  return (name == others_.end() ? std::string(bare) : name->second) +
+         std::string(english.substr(bare.size()));
 }
 
 std::string Language::packed() const {

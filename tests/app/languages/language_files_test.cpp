@@ -9,6 +9,7 @@
 #include "app/languages/po_template.h"
 #include "app/languages/scenario_texts.h"
 #include "app/temporary_folder.h"
+#include "cave/texts/numbered_name.h"
 
 namespace carom {
 namespace {
@@ -74,9 +75,9 @@ TEST(ScenarioTexts, EachTextThatIsReadHasItsNameAndPlace) {
             "mine.toml lesson stopwatch 1 name = Seen (mine.toml:31)\n"
             "mine.toml task 1 name = First (mine.toml:34)\n"
             "mine.toml task 1 text = Hit it (mine.toml:35)\n");
-  EXPECT_EQ(nameWithoutNumber("left 12"), "left");
-  EXPECT_EQ(nameWithoutNumber("struck fast"), "struck fast");
-  EXPECT_EQ(nameWithoutNumber("17"), "");
+  EXPECT_EQ(texts::nameWithoutNumber("left 12"), "left");
+  EXPECT_EQ(texts::nameWithoutNumber("struck fast"), "struck fast");
+  EXPECT_EQ(texts::nameWithoutNumber("17"), "");
 }
 
 TEST(ScenarioTexts, NoTwoShippedTextsHaveOneName) {
