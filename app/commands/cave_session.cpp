@@ -386,6 +386,7 @@ bool goOnWithAnother(Cluster& cluster, CaveOptions& options, SetupOptions& input
     if (play->study && session) play->study->begun();
     if (play->phones) play->phones->play(setup, session.value_or(""));
     if (windows.console) windows.console->writeTo(session);
+    setup.recording->writeBeside(session);
     if (play->status)
       play->status->play(setup.rig, setup.scenario.title, session.value_or(""), setup.languages);
     OperatorSettings settings =
@@ -539,6 +540,7 @@ void runSession(Cluster& cluster, CaveOptions options, std::optional<std::filesy
   SessionSetup setup = setUpSession(cluster, inputs);
   OperatorWindows windows = openWindows(cluster, setup, keysOf(options));
   if (windows.console) windows.console->writeTo(options.session);
+  setup.recording->writeBeside(options.session);
   std::unique_ptr<LivePlay> play;
   onAllRanks(cluster, [&] {
     if (cluster.rank() > 0) return;

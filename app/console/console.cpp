@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include "app/console/console_class.h"
+#include "app/console/console_lesson.h"
 #include "app/console/console_link.h"
 #include "app/files/rig_viewers.h"
+#include "app/operator/visitor_choices.h"
 #include "cave/texts/format.h"
 #include "cave/texts/key_names.h"
 #include "cave/texts/language.h"
@@ -53,7 +55,7 @@ float button_px() {
 }
 
 /// Returns whether the names of all tabs fit in this width.
-bool tabsFitIn(float width_px, const ConsoleFrame& frame) {
+bool tabsFitIn(float width_px, bool hasLesson, const ConsoleFrame& frame) {
   using namespace texts::console;
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto take = [&](const char* tab) {
@@ -61,6 +63,7 @@ bool tabsFitIn(float width_px, const ConsoleFrame& frame) {
   };
   for (const char* tab : {kGamesTab, kTrackersTab, kLatencyTab, kEventsTab, kDiagramTab, kRecordingTab})
     take(tab);
+  if (hasLesson) take(kLessonTab);
   if (frame.classroom) take(kClassTab);
   if (frame.study) take(kStudyTab);
   if (frame.status.link) take(texts::link::kTab);
@@ -87,6 +90,7 @@ Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& ri
 }
 
 void Console::play(const Scenario& scenario, const Scene& scene) {
+  bringsLesson_ = scenario.lesson.has_value();
   scenario_ = &scenario;
   title_ = scenario.title;
   file_.clear();
@@ -224,10 +228,10 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
 void Console::drawTabs(const ConsoleFrame& frame) {
   constexpr ImGuiTabBarFlags kListed =
       ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
-  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x, frame);
+  const bool fits = tabsFitIn(ImGui::GetContentRegionAvail().x, scenario_->lesson.has_value(), frame);
   if (!ImGui::BeginTabBar("##parts", fits ? ImGuiTabBarFlags_None : kListed)) return;
-  const auto tab = [](const char* name, const auto& draw) {
-    if (!ImGui::BeginTabItem(name)) return;
+  const auto tab = [](const char* name, const auto& draw, ImGuiTabItemFlags flags = 0) {
+    if (!ImGui::BeginTabItem(name, nullptr, flags)) return;
     ImGui::BeginChild("##tab");
     draw();
     ImGui::EndChild();
@@ -235,6 +239,11 @@ void Console::drawTabs(const ConsoleFrame& frame) {
   };
   // The first, so that its name fits where not all do.
   if (frame.classroom) tab(texts::console::kClassTab, [&] { drawClass(frame); });
+  const bool bringsLesson = std::exchange(bringsLesson_, false) && !frame.classroom;
+  if (scenario_->lesson)
+    tab(
+        texts::console::kLessonTab, [&] { drawLessonOf(frame); },
+        bringsLesson ? ImGuiTabItemFlags_SetSelected : 0);
   if (frame.study) tab(texts::console::kStudyTab, [&] { study_.draw(frame); });
   if (frame.status.link) tab(texts::link::kTab, [&] { drawLink(frame); });
   tab(texts::console::kGamesTab, [&] { games_.draw(frame); });
@@ -244,6 +253,12 @@ void Console::drawTabs(const ConsoleFrame& frame) {
   tab(texts::console::kDiagramTab, [&] { drawDiagram(frame); });
   tab(texts::console::kRecordingTab, [&] { recording_.draw(frame); });
   ImGui::EndTabBar();
+}
+
+void Console::drawLessonOf(const ConsoleFrame& frame) const {
+  LessonCourse course{frame.record.lesson, frame.settings.lessonObserver, {}};
+  if (isLive(keys_)) course.next = commandOf(Choice::lessons, frame.settings);
+  drawLesson(*scenario_->lesson, course, frame.commands);
 }
 
 void Console::drawDiagram(const ConsoleFrame& frame) {

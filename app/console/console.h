@@ -60,6 +60,7 @@ class Console {
   void drawTop(const ConsoleFrame& frame, bool isNarrow);
   void drawButtons(const ConsoleFrame& frame, const ImVec2& size);
   void drawTabs(const ConsoleFrame& frame);
+  void drawLessonOf(const ConsoleFrame& frame) const;
   void drawDiagram(const ConsoleFrame& frame);
   void drawSaid() const;
   void drawKeys(std::uint8_t language);
@@ -84,7 +85,8 @@ class Console {
   Notice notice_;
   double now_s_ = 0.0;  ///< session clock
   bool opensKeys_ = false;
-  bool keysShown_ = false;  ///< over the walls; when this changes, the list opens here too
+  bool bringsLesson_ = false;  ///< the tab of the lesson that has begun comes to the front
+  bool keysShown_ = false;     ///< over the walls; when this changes, the list opens here too
   /// Earliest and intended time of the next drawing.
   Clock::time_point earliest_ = Clock::now(), due_ = earliest_;
 };

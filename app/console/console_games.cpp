@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "app/console/console_lesson.h"
 #include "app/files/config_folder.h"
-#include "app/operator/lesson.h"
 #include "app/operator/visitor_choices.h"
 #include "cave/frame/lesson_language.h"
 #include "cave/texts/format.h"
@@ -20,31 +20,11 @@ namespace {
 constexpr float kListWidth = 0.46F;  // fraction of the panel
 constexpr float kBeside_em = 34.0F;  // a panel narrower than this has the list above the game
 
-void paragraph(const char* what, const std::string& text) {
-  if (text.empty()) return;
-  dim(what);
-  ImGui::TextWrapped("%s", text.c_str());
-}
-
 /// Draws a mark at the right edge of a title's line if there is room beside the title.
 void markAtRight(const std::string& title, const char* mark) {
   const float gap_px = ImGui::GetFontSize();
   const float taken_px = ImGui::CalcTextSize(title.c_str()).x + gap_px + ImGui::CalcTextSize(mark).x;
   if (taken_px <= ImGui::GetContentRegionAvail().x) keyAtRight(mark);
-}
-
-const char* phaseWords(LessonPhase phase) {
-  switch (phase) {
-    case LessonPhase::none:
-      return "";
-    case LessonPhase::asks:
-      return texts::console::kAsks;
-    case LessonPhase::shows:
-      return texts::console::kShows;
-    case LessonPhase::explains:
-      return texts::console::kExplains;
-  }
-  return "";
 }
 
 }  // namespace
@@ -146,47 +126,6 @@ void GamesPanel::drawList(const ConsoleFrame& frame) {
   tip(texts::console::kRestartTip);
 }
 
-/// Draws a button for each velocity that the lesson offers.
-void GamesPanel::drawObservers(const ConsoleFrame& frame, const LessonPlan& plan) {
-  if (plan.observers.empty() || frame.record.lesson.phase == LessonPhase::asks) return;
-  dim(texts::console::kVelocity);
-  for (std::size_t i = 0; i < plan.observers.size(); ++i) {
-    if (i > 0) ImGui::SameLine();
-    ImGui::BeginDisabled(i == frame.settings.lessonObserver);
-    if (ImGui::Button(texts::other(plan.observers[i].name).c_str()))
-      frame.commands.emplace_back(ChooseInLesson{static_cast<int>(i) + 1});
-    ImGui::EndDisabled();
-  }
-}
-
-void GamesPanel::drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const {
-  const LessonState& state = frame.record.lesson;
-  const LessonWords said = inLanguage(lesson.words);
-  heading(texts::format(texts::console::kLesson, said.title).c_str());
-  if (state.phase == LessonPhase::none) return dim(texts::console::kSkippedPhase);
-  dim(phaseWords(state.phase));
-  if (state.phase == LessonPhase::asks) {
-    ImGui::TextWrapped("%s", said.question.c_str());
-    for (std::size_t i = 0; i < said.answers.size(); ++i) {
-      const std::string label = texts::format(texts::console::kNumbered, i + 1, said.answers[i]);
-      if (ImGui::Button(label.c_str(), {-1.0F, 0.0F}))
-        frame.commands.emplace_back(ChooseInLesson{static_cast<int>(i) + 1});
-    }
-  } else if (state.phase == LessonPhase::shows) {
-    paragraph(texts::console::kTryThis, said.todo);
-    paragraph(texts::console::kLookFor, said.notice);
-  } else {
-    ImGui::TextWrapped("%s", said.number.c_str());
-    const bool isGiven = state.answer > 0 && state.answer <= said.answers.size();
-    paragraph(texts::console::kAnswer,
-              isGiven ? said.answers[state.answer - 1U] : texts::lesson::kSkipped.words());
-    paragraph(texts::console::kCorrect, said.answers[said.right]);
-  }
-  drawObservers(frame, lesson.plan);
-  if (ImGui::Button(state.phase == LessonPhase::asks ? texts::console::kSkip : texts::console::kNext))
-    frame.commands.emplace_back(AdvanceLesson{});
-}
-
 /// Draws the description of a chosen game that is not the current one.
 void GamesPanel::drawChosen() const {
   const Game& game = games_[chosen_];
@@ -203,13 +142,7 @@ void GamesPanel::drawChosen() const {
 
 void GamesPanel::drawPlayed(const ConsoleFrame& frame) const {
   const bool live = isLive(frame.keys);
-  if (scenario_->lesson) {
-    ImGui::BeginDisabled(!live);
-    drawLesson(frame, *scenario_->lesson);
-    ImGui::EndDisabled();
-  } else {
-    heading(scenario_->title.c_str());
-  }
+  heading(texts::other(scenario_->title).c_str());
   words(texts::format(texts::console::kPucksAndLight, scenario_->billiard.pucks.size(),
                       scenario_->billiard.lightSpeed_m_s));
   dim(std::filesystem::path(file_).filename().string());

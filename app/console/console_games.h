@@ -31,8 +31,6 @@ class GamesPanel {
   void drawList(const ConsoleFrame& frame);
   void drawChosen() const;
   void drawPlayed(const ConsoleFrame& frame) const;
-  static void drawObservers(const ConsoleFrame& frame, const LessonPlan& plan);
-  void drawLesson(const ConsoleFrame& frame, const Lesson& lesson) const;
 
   const Playlist* playlist_ = nullptr;  ///< to which the list is restricted
   std::vector<Game> games_;

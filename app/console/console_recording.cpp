@@ -16,11 +16,9 @@ namespace {
 
 constexpr double kMeasuredEvery_s = 1.0;
 
-/// Returns a name with today's date and the time, beside the session file or in the present folder.
-std::filesystem::path timed(const std::optional<std::filesystem::path>& session, const char* what,
-                            const char* ending) {
-  const std::string name = fmt::format("{}-{:%F-%H%M%S}{}", what, fmt::localtime(std::time(nullptr)), ending);
-  return session ? session->parent_path() / name : std::filesystem::path(name);
+/// Returns the name of a session file in the present folder, with today's date and the time.
+std::string datedSession() {
+  return fmt::format("carom-{:%F-%H%M%S}.db", fmt::localtime(std::time(nullptr)));
 }
 
 void made(texts::Text what, const std::filesystem::path& where, std::uint64_t frames, std::uint64_t leftOut,
@@ -76,7 +74,7 @@ void RecordingPanel::draw(const ConsoleFrame& frame) {
 void RecordingPanel::drawButtons(const ConsoleFrame& frame, const RecordingReport& report) const {
   ImGui::Spacing();
   if (report.movie.empty()) {
-    if (ImGui::Button(texts::console::kStartMovie)) frame.recording.startMovie(timed(file_, "carom", ".mp4"));
+    if (ImGui::Button(texts::console::kStartMovie)) frame.recording.startMovie();
     tip(texts::console::kStartMovieTip);
   } else {
     if (ImGui::Button(texts::console::kEndMovie)) frame.recording.endMovie();
@@ -84,15 +82,13 @@ void RecordingPanel::drawButtons(const ConsoleFrame& frame, const RecordingRepor
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(!report.capture.empty());
-  if (ImGui::Button(texts::console::kTakePictures))
-    frame.recording.takePictures(timed(file_, "carom-pictures", ""));
+  if (ImGui::Button(texts::console::kTakePictures)) frame.recording.takePictures("carom-pictures");
   ImGui::EndDisabled();
   tip(texts::console::kTakePicturesTip);
   ImGui::SameLine();
   ImGui::BeginDisabled(file_.has_value() || frame.settings.playing.empty());
   if (ImGui::Button(texts::console::kRecordAnew)) {
-    frame.commands.emplace_back(
-        PlayScenario{frame.settings.playing, false, timed({}, "carom", ".db").string()});
+    frame.commands.emplace_back(PlayScenario{frame.settings.playing, false, datedSession()});
   }
   ImGui::EndDisabled();
   tip(texts::console::kRecordAnewTip);

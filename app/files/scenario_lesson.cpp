@@ -146,6 +146,8 @@ Lesson readLesson(const TomlTable& table, const std::string& title, const Lesson
   words.todo = readWords(table, "todo");
   words.notice = readWords(table, "notice");
   words.number = readWords(table, "number");
+  if (table.has("predicted_wrongly")) words.predictedWrongly = readWords(table, "predicted_wrongly");
+  if (table.has("go_on_with")) words.goOnWith = readWords(table, "go_on_with");
   lesson.views = readViews(table);
   lesson.explains = readViews(table, "explains_views");
   lesson.plan = readLessonPlan(table, game);

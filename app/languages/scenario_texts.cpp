@@ -78,7 +78,8 @@ void addLesson(const TomlTable& lesson, Gathered& texts) {
   const std::vector<PlacedText> answers = lesson.texts("answers");
   for (std::size_t i = 0; i < answers.size(); ++i)
     texts.add(fmt::format("lesson answer {}", i + 1), answers[i].text, answers[i].place);
-  for (const char* key : {"todo", "notice", "number"}) texts.add(lesson, key, fmt::format("lesson {}", key));
+  for (const char* key : {"todo", "notice", "number", "predicted_wrongly", "go_on_with"})
+    texts.add(lesson, key, fmt::format("lesson {}", key));
   texts.addEach(lesson.tables("observer"), "name", "lesson observer");
   texts.addEach(lesson.tables("stopwatch"), "name", "lesson stopwatch");
   texts.addEach(lesson.tables("label"), "text", "lesson label");

@@ -143,7 +143,7 @@ struct ValueOf {
   std::string operator()(const KeepTaskBest& c) {
     return fmt::format("{}: {:.3g} J", c.task + 1, c.energy_j);
   }
-  std::string operator()(const ShowBestShot&) { return "asked for"; }
+  std::string operator()(const ShowBestShot& c) { return c.isKept ? "kept as a picture" : "asked for"; }
   std::string operator()(const SetLanguage& c) {
     return settings.languages ? settings.languages->all.at(c.language) : std::string(kEnglish);
   }

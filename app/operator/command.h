@@ -87,7 +87,8 @@ struct KeepTaskBest {
 };
 /// Shows the visitor's best shot again, as they saw it.
 struct ShowBestShot {
-  bool isEnd = false;  ///< the game ends with it, if there is one
+  bool isEnd = false;   ///< the game ends with it, if there is one
+  bool isKept = false;  ///< only the moment at its end is shown, and kept as a picture
   bool operator==(const ShowBestShot&) const = default;
 };
 /// Lets a viewer read another of the session's languages.

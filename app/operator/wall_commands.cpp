@@ -16,6 +16,8 @@ std::optional<Command> commandOf(const WallAction& action, const OperatorSetting
       return ChooseInLesson{action.number};
     case WallAction::Kind::goOn:
       return AdvanceLesson{};
+    case WallAction::Kind::keepShot:
+      return ShowBestShot{.isKept = true};
     case WallAction::Kind::again:
       return PlayScenario{settings.playing};
     case WallAction::Kind::unfreeze:

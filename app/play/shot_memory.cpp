@@ -38,14 +38,16 @@ const ObserverView& ShotMemory::earliest(const ObserverView& now, double now_s) 
 
 bool ShotReplay::look(const ShotMemory& shots, double now_s, bool interrupted) {
   if (!from_s_) return false;
-  if (!over_s_ && (interrupted || !shots.at(now_s - *from_s_))) over_s_ = now_s;
+  const double since_s = now_s - *from_s_;
+  const bool isOver = isStill_ ? since_s > kStill_s : !shots.at(since_s);
+  if (!over_s_ && (interrupted || isOver)) over_s_ = now_s;
   if (over_s_ && (!endsGame_ || now_s - *over_s_ > kHeld_s)) from_s_.reset();
   return true;
 }
 
 const ShotView* ShotReplay::view(const ShotMemory& shots, double now_s) const {
   if (!from_s_ || !shots.hasBest()) return nullptr;
-  const ShotView* const view = shots.at(now_s - *from_s_);
+  const ShotView* const view = isStill_ ? nullptr : shots.at(now_s - *from_s_);
   return view ? view : &shots.last();
 }
 

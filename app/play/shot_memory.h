@@ -67,12 +67,19 @@ class ShotMemory {
 /// the game is not seen behind it.
 class ShotReplay {
  public:
-  static constexpr double kHeld_s = 1.0;  ///< the walls are dark before
+  static constexpr double kHeld_s = 1.0;   ///< the walls are dark before
+  static constexpr double kStill_s = 1.5;  ///< its last view alone is shown so long
 
   void begin(double now_s, bool endsGame) {
     from_s_ = now_s;
     over_s_.reset();
     endsGame_ = endsGame;
+    isStill_ = false;
+  }
+  /// Shows its last view alone, for a moment.
+  void beginAtEnd(double now_s) {
+    begin(now_s, false);
+    isStill_ = true;
   }
   /// Ends it if the shot is over or the person interrupts it. Returns whether it was shown until now.
   bool look(const ShotMemory& shots, double now_s, bool interrupted);
@@ -85,6 +92,7 @@ class ShotReplay {
   std::optional<double> from_s_;  ///< display time
   std::optional<double> over_s_;  ///< since when its last views stay
   bool endsGame_ = false;
+  bool isStill_ = false;  ///< its last view alone
 };
 
 }  // namespace carom

@@ -57,6 +57,7 @@ struct Decision {
   std::vector<HandCommand> handCommands;  ///< and so do these, from hand devices
   bool isHandled = false;  ///< the person uses a device of the hand: it steers, brakes, turns or presses
   bool showsShot = false;  ///< the best shot is shown again
+  bool keepsShot = false;  ///< this frame shows its end, which is kept as a picture
   double stay_s = 0.0;     ///< recorded sessions: time between the previous frame and this one
   DecisionTiming timing;
 
@@ -72,7 +73,7 @@ struct Decision {
     alarms.clear();
     commands.clear();
     handCommands.clear();
-    isHandled = showsShot = false;
+    isHandled = showsShot = keepsShot = false;
     samples.clear();
     stay_s = 0.0;
     timing = {};

@@ -41,7 +41,12 @@ void Players::showBestShot(std::span<const Command> commands, bool isInterrupted
   const double now_s = decision.frame.record.display_s;
   const ShowBestShot* const asked = lastOf<ShowBestShot>(commands);
   const bool isAsked = asked && (!asked->isEnd || shots_.hasBest());
-  if (!replay_.look(shots_, now_s, (isAsked && !asked->isEnd) || isInterrupted)) {
+  const bool wasOn = replay_.look(shots_, now_s, (isAsked && !asked->isEnd) || isInterrupted);
+  if (isAsked && asked->isKept && shots_.hasBest()) {
+    replay_.beginAtEnd(now_s);
+    decision.keepsShot = true;
+    announcements.say(texts::message::kShotKept, decision);
+  } else if (!wasOn) {
     if (isAsked && shots_.hasBest()) {
       replay_.begin(now_s, asked->isEnd);
       announcements.tellWhoseShot(striker_, shots_.bestCushions(), asked->isEnd, decision);

@@ -56,7 +56,10 @@ class RecordingListener : public FrameListener {
   RecordingListener(Recording& recording, const DisplayWalls& walls, const SpectatorView* outside)
       : recording_(recording), walls_(walls), outside_(outside) {}
 
-  void shown(const Decision& decision) override { recording_.take(walls_, outside_, decision.frame.record); }
+  void shown(const Decision& decision) override {
+    if (decision.keepsShot) recording_.takePictures("carom-best-shot");
+    recording_.take(walls_, outside_, decision.frame.record);
+  }
 
  private:
   Recording& recording_;

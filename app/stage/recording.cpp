@@ -1,7 +1,9 @@
 #include "app/stage/recording.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <ctime>
 #include <exception>
 #include <stdexcept>
 #include <system_error>
@@ -34,8 +36,7 @@ Recording::Recording(Graphics& graphics, const RecordingOptions& options, const 
                      const Rig& rig, bool realTime)
     : graphics_(graphics),
       cluster_(cluster),
-      walls_(cluster.wallsOf(rig.walls)),
-      isOneWindow_(rig.oneWindow.has_value()),
+      layout_(movieLayout(cluster.wallsOf(rig.walls), rig.oneWindow.has_value())),
       display_hz_(rig.display_hz),
       realTime_(realTime) {
   if (cluster.size() > 1) node_ = " of " + cluster.nameOf(cluster.rank());
@@ -45,16 +46,22 @@ Recording::Recording(Graphics& graphics, const RecordingOptions& options, const 
     capture_ = std::make_unique<Capture>(*options.capture, whenFull());
     folder_ = *options.capture;
   }
-  if (options.movie && !walls_.empty()) {
-    movie_ = std::make_unique<Movie>(movieOfNode(*options.movie, cluster.rank(), cluster.size()),
-                                     movieLayout(walls_, isOneWindow_), display_hz_, whenFull());
+  if (options.movie && !layout_.places.empty()) {
+    movie_ = std::make_unique<Movie>(movieOfNode(*options.movie, cluster.rank(), cluster.size()), layout_,
+                                     display_hz_, whenFull());
   }
 }
 
-void Recording::startMovie(const std::filesystem::path& file) try {
-  if (movie_ || walls_.empty()) return;
+/// Returns a name with today's date and the time, beside the session file or in the present folder.
+std::filesystem::path Recording::dated(std::string_view what, std::string_view ending) const {
+  const std::string name = fmt::format("{}-{:%F-%H%M%S}{}", what, fmt::localtime(std::time(nullptr)), ending);
+  return session_ ? session_->parent_path() / name : std::filesystem::path(name);
+}
+
+void Recording::startMovie() try {
+  if (movie_ || layout_.places.empty()) return;
   graphics_.makeCurrent();
-  movie_ = std::make_unique<Movie>(file, movieLayout(walls_, isOneWindow_), display_hz_, whenFull());
+  movie_ = std::make_unique<Movie>(dated("carom", ".mp4"), layout_, display_hz_, whenFull());
   asked_.movie = true;
   filmed_ = 0;
 } catch (const std::exception& error) {
@@ -68,14 +75,16 @@ void Recording::endMovie() {
   asked_.movie = false;
 }
 
-void Recording::takePictures(const std::filesystem::path& folder) try {
+void Recording::takePictures(std::string_view what) try {
   if (capture_) return;
+  const std::filesystem::path folder = dated(what, "");
   graphics_.makeCurrent();
   makeFolder(folder);
   capture_ = std::make_unique<Capture>(folder, WhenFull::wait);
   folder_ = folder;
   captured_.reset();
   asked_.picture = true;
+  log::note(fmt::format("The pictures are in {}.", folder.string()));
 } catch (const std::exception& error) {
   log::error(fmt::format("no pictures: {}", error.what()));
 }

@@ -6,16 +6,15 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "cave/capture/capture.h"
-#include "cave/room/wall.h"
+#include "cave/capture/movie.h"
 
 namespace carom {
 
 class Cluster;
 class Graphics;
-class Movie;
 class SpectatorView;
 class DisplayWalls;
 struct FrameRecord;
@@ -50,12 +49,15 @@ class Recording {
   /// captured once. In simulated time, throws std::runtime_error if something cannot be written.
   void take(const DisplayWalls& walls, const SpectatorView* outside, const FrameRecord& record);
 
+  /// Sets the session file beside which the following are made, with the date and the time in their names;
+  /// none: in the folder in which the program was started.
+  void writeBeside(const std::optional<std::filesystem::path>& session) { session_ = session; }
   /// Starts a movie of this node's walls while the session runs, or pictures of all its walls and eyes in one
-  /// frame, and ends the movie; that takes a moment. A movie that is being made goes on. Logs a fault: the
-  /// session goes on.
-  void startMovie(const std::filesystem::path& file);
+  /// frame, in a folder whose name begins with `what`, and ends the movie; that takes a moment. A movie that
+  /// is being made goes on. Logs a fault: the session goes on.
+  void startMovie();
   void endMovie();
-  void takePictures(const std::filesystem::path& folder);
+  void takePictures(std::string_view what);
 
   RecordingReport report() const;
 
@@ -68,13 +70,13 @@ class Recording {
   template <typename Part, typename Work>
   void attempt(std::unique_ptr<Part>& part, bool isForOperator, const char* outcome, const Work& work);
   WhenFull whenFull() const { return realTime_ ? WhenFull::drop : WhenFull::wait; }
+  std::filesystem::path dated(std::string_view what, std::string_view ending) const;
   void finishCapture();
   void finishMovie();
 
   Graphics& graphics_;
   const Cluster& cluster_;
-  std::vector<Wall> walls_;  ///< of this node
-  bool isOneWindow_;
+  MovieLayout layout_;  ///< of the walls of this node
   double display_hz_;
   bool realTime_;
   // What the operator has asked for in the session.
@@ -84,6 +86,7 @@ class Recording {
   };
   Asked asked_;
   bool failed_ = false;
+  std::optional<std::filesystem::path> session_;
   std::optional<std::uint64_t> captured_;  // number of the last frame captured
   std::filesystem::path folder_;
   std::uint64_t captures_ = 0, filmed_ = 0;  // frames

@@ -5,8 +5,8 @@
 namespace carom {
 
 LessonWords inLanguage(LessonWords english) {
-  for (std::string* words :
-       {&english.title, &english.question, &english.todo, &english.notice, &english.number})
+  for (std::string* words : {&english.title, &english.question, &english.todo, &english.notice,
+                             &english.number, &english.predictedWrongly, &english.goOnWith})
     *words = texts::other(*words);
   for (std::string& answer : english.answers) answer = texts::other(answer);
   return english;

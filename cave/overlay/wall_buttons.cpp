@@ -90,6 +90,8 @@ void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offer
     add(1, Kind::unfreeze);
   } else if (isFree && (offered.isAstray || isDriven(seen))) {
     add(1, Kind::home);
+  } else if (seen.self.score.caroms > 0) {
+    add(1, Kind::keepShot);
   }
   if (!offered.choices || !offersChoicesNow(seen)) return;
   if (offered.keys) add(2, Kind::keys);

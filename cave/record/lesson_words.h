@@ -25,6 +25,9 @@ struct LessonWords {
   std::string todo;                  ///< what to do
   std::string notice;                ///< what to look for meanwhile
   std::string number;                ///< the number that comes out, and why
+  // For the presenter alone:
+  std::string predictedWrongly;  ///< the prediction that many make, and their reason
+  std::string goOnWith;          ///< questions for a discussion
 };
 
 enum class LessonPhase : std::uint8_t {

@@ -1,13 +1,15 @@
 """pages.py ROOT MANUAL: every link in README.md and in the pages of app/doc leads to a page, a heading or a picture that is there,
 also where they are installed (config/package.cmake), README.md links to every page, and the sections of app/doc/physics.md and
 the headers that they name agree: each such header has a line "Theory: app/doc/physics.md, SECTION; SECTION.". The
-card to print is well formed and has two sides; every command and option that it and the page of the first day name is in the
+card to print is well formed and has two sides; what app/doc/teachers.md says that many predict wrongly, and how to go on,
+is what the lesson's own file says; every command and option that it and the page of the first day name is in the
 manual page."""
 
 import html.parser
 import pathlib
 import re
 import sys
+import tomllib
 
 root = pathlib.Path(sys.argv[1]).resolve()
 readme = root / "README.md"
@@ -33,6 +35,26 @@ def places_in(page):
     headings = re.findall(r"(?m)^#+ (.*)$", text_of(page))
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
+
+def lessons_on(page):
+    """For each lesson the words behind "Predicted wrongly:" and "Go on with:", without marks."""
+    for section in re.split(r"(?m)^#+ ", page.read_text())[1:]:
+        heading, text = section.split("\n", 1)
+        points = dict(re.findall(r"(?ms)^\* \*\*(.+?):\*\* (.*?)(?=^\* |^\S|\Z)", text))
+        for lesson in re.findall(r"`([\w-]+)`", heading) if "Predicted wrongly" in points else []:
+            yield lesson, {key: plain(points.get(key, "")) for key in ("Predicted wrongly", "Go on with")}
+
+
+def plain(words):
+    words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", " ".join(words.split()))
+    return re.sub(r"(?<!\w)\*([^*]+)\*(?!\w)", r"\1", words.replace("**", "").replace("`", ""))
+
+
+told = dict(lessons_on(root / "app/doc/teachers.md"))
+for file in sorted((root / "config/scenarios").glob("*.toml")):
+    lesson = tomllib.loads(file.read_text()).get("lesson")
+    if lesson and {"Predicted wrongly": lesson.get("predicted_wrongly"), "Go on with": lesson.get("go_on_with")} != told.get(file.stem):
+        fail(f"{file}: predicted_wrongly and go_on_with differ from what app/doc/teachers.md says: {told.get(file.stem)}")
 
 linked = set()
 for page in pages:

@@ -66,7 +66,7 @@ OWN_WORDS = {
     "app/viewer/head_tracking.cpp": "messages of the log about trackers",
 }
 LITERALS = {
-    "scenarios", ".toml", "-wal", "outside", "carom", "carom-pictures", ".mp4", ".db",  # parts of the names of files
+    "scenarios", ".toml", "-wal", "outside", "carom-pictures", "carom-best-shot", "carom-{:%F-%H%M%S}.db",  # parts of the names of files
     "the window of wall {} is {}",  # a message of the log
 }
 KEY = re.compile(r"[A-Z]|F\d+|W A S D")  # what is printed on a key

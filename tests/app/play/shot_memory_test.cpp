@@ -97,6 +97,22 @@ TEST(ShotReplay, WhereItEndsAGameTheGameIsNotSeenWhileTheWallsGoDark) {
   }
 }
 
+TEST(ShotReplay, ItsLastViewAloneIsShownForAMoment) {
+  ShotMemory shots;
+  shoot(shots, 10.0, 8.0, 1);
+  ShotReplay replay;
+  replay.begin(20.0, false);
+  replay.beginAtEnd(30.0);
+  double now_s = 30.0;
+  for (; replay.look(shots, now_s, false) && replay.isOn(); now_s += 0.1)
+    ASSERT_EQ(replay.view(shots, now_s), &shots.last());
+  EXPECT_NEAR(now_s, 30.0 + ShotReplay::kStill_s, 0.21);
+  EXPECT_FALSE(replay.view(shots, now_s));
+  replay.begin(40.0, false);
+  replay.look(shots, 40.1, false);
+  EXPECT_NEAR(replay.view(shots, 40.1)->shown_s, 10.1, 0.06) << "the whole shot again";
+}
+
 TEST(ShotMemory, TheGameMayForgetWhatAnOldShotShowed) {
   ShotMemory shots;
   ObserverView now;

@@ -126,6 +126,9 @@ TEST_F(PlayersAtRest, ThereIsNoBestShotBeforeACarom) {
   EXPECT_EQ(players_.shot(1.0), nullptr);
   ASSERT_EQ(decision_.notes.size(), 1U);
   EXPECT_EQ(decision_.notes[0].value, texts::message::kNoCarom.english());
+  const Command keep = ShowBestShot{.isKept = true};
+  players_.showBestShot(std::span(&keep, 1), false, announcements_, decision_);
+  EXPECT_FALSE(decision_.keepsShot);
 }
 
 }  // namespace

@@ -149,8 +149,10 @@ TEST(ChoiceTiles, WhatKeysDoIsOfferedWhereItDoesSomething) {
   EXPECT_EQ(kindsOf(record, {false, true, true}), Kinds{Kind::home});
   record.viewers[0].score.caroms = 1;
   EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::home, Kind::keys}));
+  EXPECT_EQ(kindsOf(record, {true, true, false}), with({Kind::goOn, Kind::keepShot, Kind::keys}));
   record.drive.mode = DriveMode::home;
-  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::keys})) << "under way already";
+  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::keepShot, Kind::keys}))
+      << "under way already";
   record.drive.mode = DriveMode::free;
   record.views.frozen = 1;
   EXPECT_EQ(kindsOf(record, {true, true, true}), (Kinds{Kind::goOn, Kind::unfreeze}));
@@ -180,7 +182,8 @@ TEST(ChoiceTiles, TheNextLanguageHasATileWhereThereAreSeveralAlsoInALesson) {
   EXPECT_TRUE(hasLanguage(kindsOf(record, all)));
   record.views.frozen = 0;
   EXPECT_TRUE(hasLanguage(kindsOf(record, all)));
-  EXPECT_EQ(kindsOf(record, {}), (std::vector<Kind>{Kind::language, Kind::goOn})) << "a game without choices";
+  EXPECT_EQ(kindsOf(record, {}), (std::vector<Kind>{Kind::language, Kind::goOn, Kind::keepShot}))
+      << "a game without choices";
   for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
     record.lesson.phase = phase;
     EXPECT_TRUE(hasLanguage(kindsOf(record, all)));
