@@ -152,7 +152,10 @@ void HudPanel::paintBand() {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const HudLine& line = lines_[i].line;
     const int text_px = static_cast<int>(kBandMargin * height_px) + beginOf_px(line, height_px);
-    const glm::vec3& colour = isPointed(line.row) ? kOnPointed : line.urgent ? kUrgent : kWhite;
+    const glm::vec3 colour = isPointed(line.row) ? kOnPointed
+                             : line.urgent       ? kUrgent
+                             : line.mark         ? 255.0F * *line.mark
+                                                 : kWhite;
     panel_.write({text_px, footIn(layout_.lines[i])}, lines_[i].ink, colour);
   }
   panel_.upload();

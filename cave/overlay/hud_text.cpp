@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -26,6 +27,7 @@ namespace {
 using Kind = WallAction::Kind;
 
 constexpr glm::vec3 kSeenMark(0.92F);
+constexpr glm::vec3 kTryThisColour(0.62F, 0.94F, 0.62F), kLookForColour(0.62F, 0.85F, 1.0F);
 
 /// Builds the lines, one after the other, in memory that is reused.
 class Lines {
@@ -63,6 +65,21 @@ class Lines {
       line.row = row;
       line.setIn = !begins && !first.empty();
     }
+  }
+
+  /// Adds one of two texts, all in its colour, and empty lines if the other one is longer, so that what
+  /// stands below does not move.
+  struct Advice {
+    std::string_view first, words;
+    glm::vec3 colour;
+  };
+  void wrapOneOf(const Advice& said, const Advice& other) {
+    const std::size_t before = count_;
+    wrap(other.words, other.first);
+    const std::size_t most = std::exchange(count_, before);
+    wrap(said.words, said.first);
+    for (std::size_t i = before; i < count_; ++i) lines_[i].mark = said.colour;
+    while (count_ < most) begin({});
   }
 
   /// Adds a line that begins with these words and goes on with chips; more lines if the chips need them.
@@ -234,6 +251,16 @@ void addExplainedButtons(const SeenFrame& seen, const LessonPlan& plan, bool may
   addButtons(seen, {}, std::move(chips), mayLeave, lines);
 }
 
+/// Adds what to do in the first half of what the lesson shows, and then what to look for.
+void addAdvice(const SeenFrame& seen, const LessonWords& lesson, const LessonInterval& interval,
+               Lines& lines) {
+  const Lines::Advice tryThis{texts::lesson::kTryThis, lesson.todo, kTryThisColour};
+  const Lines::Advice lookFor{texts::lesson::kLookFor, lesson.notice, kLookForColour};
+  const double board_s = seen.self.observer.middle.observation.t_s;
+  const bool isLater = board_s >= 0.5 * (interval.from_s + interval.until_s);
+  isLater ? lines.wrapOneOf(lookFor, tryThis) : lines.wrapOneOf(tryThis, lookFor);
+}
+
 /// Adds the lesson's text for its phase, and how to continue.
 void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
                bool mayLeave, Lines& lines) {
@@ -243,8 +270,7 @@ void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPla
     case LessonPhase::asks:
       return addQuestion(seen, lesson, mayLeave, lines);
     case LessonPhase::shows:
-      lines.wrap(lesson.todo, texts::lesson::kTryThis);
-      lines.wrap(lesson.notice, texts::lesson::kLookFor);
+      addAdvice(seen, lesson, plan.interval, lines);
       addReadings(seen, plan, paceWords(plan), lines);
       addTwins(seen, viewers, lines);
       addObservers(seen, plan, lines);

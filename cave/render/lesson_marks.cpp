@@ -63,7 +63,7 @@ void addStandingPlate(MarkBuffer& batch, const MarkContext& sight, const Draw& d
                       PlateShape shape, const Vec3& foot_m, const glm::vec4& colour, LabelLayout& crowd) {
   constexpr double kStem_m = 0.07;
   StandingPlate plate = standingPlate(sight, text, shape, foot_m + Vec3(0.0, 0.0, kStem_m));
-  plate.scale *= 1.1;
+  plate.scale *= 1.25;
   plate.foot_m.z += crowd.raise_m(plate);
   const std::array<glm::dvec3, 2> stem{draw(foot_m), draw(plate.foot_m)};
   batch.addLine(stem, colour, 0.0014);
