@@ -16,6 +16,8 @@ std::optional<Command> commandOf(const WallAction& action, const OperatorSetting
       return ChooseInLesson{action.number};
     case WallAction::Kind::goOn:
       return AdvanceLesson{};
+    case WallAction::Kind::colour:
+      return SetSwitch{&Switches::colour, false, settings.switches.colour == 0};
     case WallAction::Kind::keepShot:
       return ShowBestShot{.isKept = true};
     case WallAction::Kind::again:

@@ -20,6 +20,7 @@ struct WallAction {
     spacetime,  ///< as I
     tasks,      ///< begins the tasks
     nextTask,   ///< goes on to the next one
+    colour,     ///< as 4
     keepShot,   ///< keeps a picture of the best shot
     language,   ///< goes on to the session's language that `number` counts, from 0
   };

@@ -26,6 +26,8 @@ std::pair<std::string_view, std::string_view> textsOf(const WallAction& action) 
       return {texts::tile::kChoices.at(action.number), texts::tile::kChoiceKeys.at(action.number)};
     case WallAction::Kind::goOn:
       return {texts::tile::kBestShot, texts::keys::kEnterKey};
+    case WallAction::Kind::colour:
+      return {texts::keys::kColour, "4"};
     case WallAction::Kind::keepShot:
       return {texts::tile::kKeepShot, ""};
     case WallAction::Kind::home:

@@ -101,9 +101,10 @@ void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offer
   if (offered.hasTasks) {
     addBelow(0, Kind::nextTask);
     addBelow(1, Kind::again);
-  } else if (seen.self.score.strokes > 0) {
-    addBelow(0, Kind::tasks);
+    return;
   }
+  if (seen.self.score.strokes > 0) addBelow(0, Kind::tasks);
+  addBelow(1, Kind::colour);
 }
 
 std::optional<PointedButton> buttonAt(const Wall& front, std::span<const WallButton> buttons,

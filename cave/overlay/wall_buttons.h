@@ -46,10 +46,10 @@ struct OfferedTiles {
 OfferedTiles offeredIn(const RoomGeometry& room, const SeenFrame& seen, const GameOffers& game);
 
 /// Appends the tiles on a wall in this frame: the three choices, and below them flat ones for what the keys
-/// Enter, Home, F and H do, where there is something for them to do; for a picture of the best shot; and for
-/// tasks: to begin them, after the first stroke, and to go on to the next or try again. Where there are
-/// several languages, below all of these the one for the next language, which stands beside the choices at
-/// the foot while a lesson speaks.
+/// Enter, Home, F and H do, where there is something for them to do; for a picture of the best shot; for the
+/// Doppler colour; and for tasks: to begin them, after the first stroke, and to go on to the next or try
+/// again. Where there are several languages, below all of these the one for the next language, which stands
+/// beside the choices at the foot while a lesson speaks.
 void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offered,
               std::vector<WallButton>& buttons);
 

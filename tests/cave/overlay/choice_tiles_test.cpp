@@ -119,14 +119,22 @@ std::vector<WallAction::Kind> kindsOf(const FrameRecord& record, const OfferedTi
   return kinds;
 }
 
+/// The kinds, and behind them the Doppler colour, which every game with choices offers outside lessons and
+/// tasks.
+std::vector<WallAction::Kind> withColour(std::vector<WallAction::Kind> kinds) {
+  kinds.push_back(WallAction::Kind::colour);
+  return kinds;
+}
+
 TEST(ChoiceTiles, TasksAreOfferedAfterTheFirstStrokeAndInATaskTheNextOneAndAnotherTry) {
   using Kind = WallAction::Kind;
   FrameRecord record;
   record.boardFromRoom = Lorentz(1.42);
   const std::vector<Kind> three(3, Kind::choice);
-  EXPECT_EQ(kindsOf(record, {true, false, false, false}), three);
+  EXPECT_EQ(kindsOf(record, {true, false, false, false}), withColour(three));
   record.viewers[0].score.strokes = 1;
-  EXPECT_EQ(kindsOf(record, {true, false, false, false}).back(), Kind::tasks);
+  EXPECT_EQ(kindsOf(record, {true, false, false, false}),
+            withColour({Kind::choice, Kind::choice, Kind::choice, Kind::tasks}));
   EXPECT_TRUE(kindsOf(record, {false, false, false, false}).empty()) << "a game that offers nothing";
   const std::vector<Kind> inTask = kindsOf(record, {true, true, false, true});
   EXPECT_EQ(inTask, (std::vector<Kind>{Kind::choice, Kind::choice, Kind::choice, Kind::keys, Kind::nextTask,
@@ -143,15 +151,16 @@ TEST(ChoiceTiles, WhatKeysDoIsOfferedWhereItDoesSomething) {
   };
   FrameRecord record;
   record.boardFromRoom = Lorentz(1.42);
-  EXPECT_EQ(kindsOf(record, {true, false, false}), three);
-  EXPECT_EQ(kindsOf(record, {true, true, false}), with({Kind::keys}));
+  EXPECT_EQ(kindsOf(record, {true, false, false}), with({Kind::colour}));
+  EXPECT_EQ(kindsOf(record, {true, true, false}), with({Kind::keys, Kind::colour}));
   EXPECT_EQ(kindsOf(record, {false, true, false}), Kinds{});
   EXPECT_EQ(kindsOf(record, {false, true, true}), Kinds{Kind::home});
   record.viewers[0].score.caroms = 1;
-  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::home, Kind::keys}));
-  EXPECT_EQ(kindsOf(record, {true, true, false}), with({Kind::goOn, Kind::keepShot, Kind::keys}));
+  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::home, Kind::keys, Kind::colour}));
+  EXPECT_EQ(kindsOf(record, {true, true, false}),
+            with({Kind::goOn, Kind::keepShot, Kind::keys, Kind::colour}));
   record.drive.mode = DriveMode::home;
-  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::keepShot, Kind::keys}))
+  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::keepShot, Kind::keys, Kind::colour}))
       << "under way already";
   record.drive.mode = DriveMode::free;
   record.views.frozen = 1;
