@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl/gl_state_guard.h"
+#include "cave/gl/letter_atlas.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/format.h"
 #include "cave/texts/texts.h"
@@ -30,36 +31,8 @@ constexpr double kBar = 0.010, kPanel = 0.076,
                  kPanelMiddle = 0.055;                     // half widths, and the place of the panel's middle
 constexpr double kReadout = 0.092, kForceReadout = 0.064;  // heights of the numbers below the bar
 
-/// Returns the pen strokes of a letter: points on a grid of 2 × 4 (right, up), with a blank where the pen is
-/// lifted; '^' is a raised 2.
-std::string_view strokesOf(char letter) {
-  constexpr std::array<std::string_view, 10> kNumerals{
-      "0020240400",   "031410",       "042422020020", "04242000 0222",   "040222 2420",
-      "240402222000", "240400202202", "042410",       "0004242000 0222", "220204242000"};
-  if (letter >= '0' && letter <= '9') return kNumerals[static_cast<std::size_t>(letter - '0')];
-  switch (letter) {
-    case 'c':
-      return "22020020";
-    case 'm':
-      return "00022220 1210";
-    case 'N':
-      return "00042024";
-    case '=':
-      return "0121 0323";
-    case '^':
-      return kNumerals[2];
-    default:
-      return {};
-  }
-}
-
-/// Returns the letter that the pen writes for a sign: a blank for one that keeps a number and its unit
-/// together.
-char penned(std::optional<char32_t> sign) {
-  constexpr std::array<char32_t, 3> kBlanks{0x00A0, 0x2009, 0x202F};
-  if (!sign || std::find(kBlanks.begin(), kBlanks.end(), *sign) != kBlanks.end()) return ' ';
-  return *sign < 0x80 ? static_cast<char>(*sign) : '?';
-}
+/// Whether a sign is a blank, also one that keeps a number and its unit together.
+bool isBlank(char32_t sign) { return sign == U' ' || sign == 0x00A0 || sign == 0x2009 || sign == 0x202F; }
 
 /// Returns the speed, in units of c, of u = γβ.
 double betaOf(double u) { return u / std::sqrt(1.0 + u * u); }
@@ -125,32 +98,25 @@ void CueOverlay::addDot(const FacingPlane& plane, double radius_m, const glm::ve
   }
 }
 
-/// Adds text whose lower left end is at (across, upwards).
+/// Adds text whose lower left end is at (across, upwards), with capitals of this height. Points and blanks
+/// are narrower than the face has them.
 void CueOverlay::addText(const FacingPlane& plane, double across, double upwards, double height,
                          std::string_view text) {
+  constexpr double kNarrow = 0.45;
   while (!text.empty()) {
-    const char letter = penned(takeCodePoint(text));
-    const bool isPoint = letter == '.' || letter == ',';
-    const double grid = (letter == '^' ? 0.5 : 1.0) * height / 4.0,
-                 foot = upwards + (letter == '^' ? height / 2.0 : 0.0);
-    const double half_m = 0.4 * grid * plane.distance_m;
-    const auto stroke = [&](const glm::dvec2& from, const glm::dvec2& to) {  // as by a pen with a square tip
-      const glm::dvec2 over = 0.4 * glm::normalize(to - from);
-      const auto on = [&](const glm::dvec2& p) { return plane.at(across + grid * p.x, foot + grid * p.y); };
-      addLine(on(from - over), on(to + over), half_m, kInk);
-    };
-    const std::string_view strokes = strokesOf(letter);
-    const auto point = [&](std::size_t i) { return glm::dvec2(strokes[i] - '0', strokes[i + 1] - '0'); };
-    for (std::size_t i = 0; i + 3 < strokes.size(); i += 2) {
-      if (strokes[i + 2] == ' ') {
-        ++i;
-      } else {
-        stroke(point(i), point(i + 2));
-      }
+    std::string_view after = text;
+    const std::optional<char32_t> sign = takeCodePoint(after);
+    const bool blank = sign && isBlank(*sign);
+    const double advance = height * (blank || sign == U'.' || sign == U',' ? kNarrow : kLetterAdvance);
+    if (!blank) {
+      std::string_view letter = sign == U'^' ? kRaisedTwo : text;
+      const std::uint8_t code = takeLetter(letter);
+      const double size_m = height * plane.distance_m;
+      words_.push_back(
+          {code, plane.at(across + 0.5 * advance, upwards), size_m * plane.right, size_m * plane.up, kInk});
     }
-    if (letter == '.') stroke({-0.01, 0.0}, {0.01, 0.0});
-    if (letter == ',') stroke({0.0, 0.0}, {-0.3, -0.8});
-    across += grid * (isPoint ? 1.2 : letter == ' ' ? 1.6 : 3.2);
+    text = after;
+    across += advance;
   }
 }
 
@@ -254,6 +220,7 @@ void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dve
   if (!clip) return;
   const glm::dvec3& eyes_m = seen.self.observer.middle.positionInRoom_m;
   marks_.clear();
+  words_.clear();
   const FacingPlane target = facing(hand.target_m, eyes_m, room);
   if (hand.pulling && hand.towards != glm::dvec3(0.0)) addCue(hand, room);
   if (hand.pulling && hand.u > 0.0) addArrow(hand, target, room);
@@ -263,6 +230,7 @@ void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dve
   const GlStateGuard state(picture.framebuffer(), picture.size_px());
   blendOver();
   ribbons_.draw(marks_, *clip, picture.size_px());
+  letters_.draw(words_, *clip);
 }
 
 }  // namespace carom

@@ -16,6 +16,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "cave/gl/letter_batch.h"
 #include "cave/gl/line_batch.h"
 #include "cave/gl/picture.h"
 #include "cave/record/frame_state.h"
@@ -77,7 +78,9 @@ class CueOverlay {
 
   std::vector<double> rims_m_;
   LineBatch ribbons_;
+  LetterBatch letters_;
   std::vector<Ribbon> marks_;
+  std::vector<SetLetter> words_;
 };
 
 }  // namespace carom

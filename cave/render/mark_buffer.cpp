@@ -13,6 +13,7 @@
 #include "cave/frame/clock_time.h"
 #include "cave/gl/gl_program.h"
 #include "cave/gl/letter_atlas.h"
+#include "cave/gl/letter_batch.h"
 #include "shaders/mark_frag.h"
 #include "shaders/mark_vert.h"
 
@@ -40,22 +41,6 @@ std::string markShader() {
   return fmt::format("#version 150\nconst vec2 kCells = vec2({}.0, {}.0);\n", kLetterColumns,
                      letterAtlas().rows) +
          shaders::mark_frag;
-}
-
-/// Returns a copy of the letters on the graphics card, smaller ones for plates far away.
-void uploadLetters(const GlTexture& texture) {
-  const LetterAtlas& atlas = letterAtlas();
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, atlas.size_px.x, atlas.size_px.y, 0, GL_RED, GL_UNSIGNED_BYTE,
-               atlas.ink.data());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glGenerateMipmap(GL_TEXTURE_2D);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 }  // namespace

@@ -90,8 +90,8 @@ void SceneChunks::appendCoarser(const ScenePart& part, PartChunks& chunks) {
     appendChunks(*part.coarser[k].mesh, meshes);
     coarser.count = static_cast<std::uint32_t>(meshes.chunks.size()) - coarser.first;
     for (std::uint32_t i = coarser.first; i < coarser.first + coarser.count; ++i)
-      chunks.reach_m =
-          std::max(chunks.reach_m, glm::length(meshes.chunks[i].middle_m) + meshes.chunks[i].radius_m);
+      chunks.reach_m = std::max({chunks.reach_m, chunks.shadowReach_m,
+                                 glm::length(meshes.chunks[i].middle_m) + meshes.chunks[i].radius_m});
   }
 }
 
@@ -125,6 +125,8 @@ void VisibleChunks::chooseLevel(std::size_t number, double tolerance_rad) {
   PartView& view = views_[number];
   std::size_t level = 0;
   while (level < part.coarserCount && view.off_rad[level] <= tolerance_rad) ++level;
+  // A turn bends a shadow by less than the width over which its edge is soft.
+  if (level == 0 && part.shadowReach_m > 0.0 && part.coarserCount > 0) level = 1;
   level_[number] = static_cast<std::uint8_t>(level);
   if ((view.known >> level & 1U) != 0) return;
   view.known |= 1U << level;

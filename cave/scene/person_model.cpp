@@ -16,7 +16,7 @@ namespace carom {
 namespace {
 
 constexpr float kGloss = 0.3F;
-constexpr glm::vec3 kSkin(0.80F, 0.32F, 0.09F), kGlasses(0.02F), kWood(0.60F, 0.28F, 0.08F);
+constexpr glm::vec3 kGlasses(0.02F), kWood(0.60F, 0.28F, 0.08F), kHair(0.055F, 0.028F, 0.014F);
 
 /// Returns shoulders without arms below a head, wider than deep; as headParts. More of a person would have to
 /// be guessed.
@@ -85,15 +85,31 @@ void addEllipsoid(MeshBuilder& mesh, const glm::dvec3& middle_m, const glm::dvec
   });
 }
 
+void addLimb(MeshBuilder& mesh, const glm::dvec3& from_m, const glm::dvec3& to_m, double fromRadius_m,
+             double toRadius_m) {
+  constexpr int kAround = 24, kAlong = 6;
+  const glm::dvec3 along = glm::normalize(to_m - from_m);
+  const glm::dvec3 across = glm::normalize(glm::cross(along, glm::dvec3(0.0, 1.0, 0.1))),
+                   beside = glm::cross(along, across);
+  mesh.addPatch(kAround, kAlong, [&](double u, double v) {
+    const double angle_rad = 2.0 * std::numbers::pi * u;
+    return PatchPoint{glm::mix(from_m, to_m, v) +
+                      glm::mix(fromRadius_m, toRadius_m, v) *
+                          (std::cos(angle_rad) * across + std::sin(angle_rad) * beside)};
+  });
+}
+
 std::vector<ModelPart> headParts() {
-  MeshBuilder skull, glasses;
+  MeshBuilder skull, glasses, hair;
   addEllipsoid(skull, {0.0, -kBehindEyes_m, 0.01}, {0.078, 0.10, 0.125});
   addEllipsoid(skull, {0.0, 0.015, -0.035}, {0.016, 0.035, 0.024});
+  addEllipsoid(hair, {0.0, -kBehindEyes_m - 0.014, 0.037}, {0.083, 0.103, 0.112});
   for (const double side : {-1.0, 1.0}) {
+    addEllipsoid(skull, {side * 0.078, -kBehindEyes_m - 0.005, -0.02}, {0.011, 0.022, 0.034});
     addEllipsoid(glasses, {side * 0.033, 0.004, 0.0}, {0.030, 0.014, 0.024});
     addEllipsoid(glasses, {side * 0.078, -0.045, 0.0}, {0.004, 0.055, 0.006});
   }
-  return {{skull.build(), kSkin}, {glasses.build(), kGlasses}};
+  return {{skull.build(), kSkin}, {glasses.build(), kGlasses}, {hair.build(), kHair}};
 }
 
 void addPeople(Scene& scene) {

@@ -25,16 +25,22 @@ struct ModelPart {
 /// How far the head's middle is behind the point between the eyes.
 inline constexpr double kBehindEyes_m = 0.09;
 
+inline constexpr glm::vec3 kSkin(0.80F, 0.32F, 0.09F);  ///< linear light, as the colours below
+
 /// Colours that tell people apart, also for the colour-blind (Okabe and Ito 2008). Linear light.
 inline constexpr std::array<glm::vec3, kMostViewers> kCoatColours{
     {{0.06F, 0.16F, 0.42F}, {0.60F, 0.10F, 0.01F}, {0.01F, 0.30F, 0.16F}, {0.70F, 0.35F, 0.02F}}};
 
-/// Returns the skull and the nose, and the 3-D glasses before the eyes, in metres from the point between the
-/// eyes; x right, y forward, z up.
+/// Returns the skull with nose and ears, the 3-D glasses before the eyes, and the hair, in metres from the
+/// point between the eyes; x right, y forward, z up.
 std::vector<ModelPart> headParts();
 
 /// Adds an ellipsoid to a mesh.
 void addEllipsoid(MeshBuilder& mesh, const glm::dvec3& middle_m, const glm::dvec3& radii_m);
+
+/// Adds a round limb from one point to another, with these radii there, without its ends.
+void addLimb(MeshBuilder& mesh, const glm::dvec3& from_m, const glm::dvec3& to_m, double fromRadius_m,
+             double toRadius_m);
 
 /// The bodies of a person of another room, in the order of their numbers in the scene (Scene::firstPerson).
 /// Their meshes look, and point, along x.

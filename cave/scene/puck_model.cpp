@@ -121,6 +121,7 @@ constexpr int kCoarserPucks = 3;
 /// Light, which is computed at vertices, needs cells of this size.
 constexpr double kLitCell_m = 0.05;
 
+/// Returns a puck. A coarser one has of its lower side, which is seen of ghosts at most, only the border.
 vtkSmartPointer<vtkPolyData> puckMesh(double radius_m, double height_m, const Fineness& fineness) {
   const double r = radius_m;
   const double z = 0.5 * height_m;
@@ -131,16 +132,22 @@ vtkSmartPointer<vtkPolyData> puckMesh(double radius_m, double height_m, const Fi
   const auto ring = [&](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec3& surface) {
     addRing(mesh, from, to, surface, fineness);
   };
+  const bool finest = fineness.halvings == 0;
   addRoundRing(mesh, {r - bevel, -z}, {r, -z + bevel}, -0.5 * std::numbers::pi, onRim, fineness);
-  ring({r, -z + bevel}, {r, 0.0}, onRim);
-  ring({r, 0.0}, {r, z - bevel}, onRim);
+  if (finest) ring({r, -z + bevel}, {r, 0.0}, onRim);
+  ring({r, finest ? 0.0 : -z + bevel}, {r, z - bevel}, onRim);
   addRoundRing(mesh, {r, z - bevel}, {r - bevel, z}, 0.0, onFace, fineness);
-  const int rings = fineness.halved(4, 1);
+  const int rings = fineness.halved(4, 2);
   for (int i = 0; i < rings; ++i) {
     const double outer = (r - bevel) * (rings - i) / rings, inner = (r - bevel) * (rings - i - 1) / rings;
     ring({outer, z}, {inner, z}, onFace);
-    ring({inner, -z}, {outer, -z}, onFace);
+    if (finest) ring({inner, -z}, {outer, -z}, onFace);
   }
+  if (finest) return mesh.build();
+  mesh.addPatch(sectorsOf(r, fineness), 1, [&](double u, double v) {
+    const double angle_rad = 2.0 * std::numbers::pi * u, from_m = v * (r - bevel);
+    return PatchPoint{{from_m * std::cos(angle_rad), from_m * std::sin(angle_rad), -z}, onFace};
+  });
   return mesh.build();
 }
 
@@ -150,7 +157,8 @@ std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t b
                                  double cell_m) {
   ScenePart puck{body, puckMesh(radius_m, height_m, {cell_m}), Paint::puck, colour, 0.5F};
   for (int halvings = 1; halvings <= kCoarserPucks; ++halvings) {
-    const Fineness fineness{std::min(cell_m * (1 << halvings), kLitCell_m), halvings};
+    // Light bends them less than roundness shows: their cells may be larger than their sectors are wide.
+    const Fineness fineness{std::min(cell_m * (1 << (2 * halvings)), kLitCell_m), halvings};
     const double turn_rad = std::numbers::pi / sectorsOf(radius_m, fineness);
     puck.coarser.push_back(
         {puckMesh(radius_m, height_m, fineness), 0.0, radius_m * (1.0 - std::cos(turn_rad))});

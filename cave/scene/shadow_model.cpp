@@ -169,12 +169,14 @@ class ShadowOfOne {
 
 }  // namespace
 
-ScenePart discShadow(double radius_m, double height_m, std::size_t body, double cell_m) {
-  constexpr int kSectors = 36;
+namespace {
+
+/// Returns the shadow of a disc, of one light after the other, with `leastSectors` or more sectors.
+vtkSmartPointer<vtkPolyData> discMesh(double radius_m, double height_m, int leastSectors, double cell_m) {
   const double z = kShadowAboveCloth_m - 0.5 * height_m;
   MeshBuilder shadow;
   const auto addDisc = [&](double light, double outer_m, double inner_m, double outerFade) {
-    const int sectors = std::max(kSectors, cellsFor(2.0 * std::numbers::pi * outer_m, cell_m));
+    const int sectors = std::max(leastSectors, cellsFor(2.0 * std::numbers::pi * outer_m, cell_m));
     shadow.addPatch(sectors, std::max(2, cellsFor(outer_m - inner_m, cell_m)), [&](double u, double v) {
       const double angle_rad = 2.0 * std::numbers::pi * u;
       const Vec2 outwards(std::cos(angle_rad), std::sin(angle_rad));
@@ -190,7 +192,24 @@ ScenePart discShadow(double radius_m, double height_m, std::size_t body, double 
     addDisc(lamp, radius_m + soft_m, radius_m - soft_m, 1.0);
     addDisc(lamp, radius_m - soft_m, 0.0, 0.0);
   }
-  return {.body = body, .mesh = shadow.build(), .paint = Paint::shadow, .isRound = true};
+  return shadow.build();
+}
+
+}  // namespace
+
+ScenePart discShadow(double radius_m, double height_m, std::size_t body, double cell_m) {
+  constexpr int kSectors = 36, kFewest = 12, kCoarser = 3;
+  ScenePart part{.body = body,
+                 .mesh = discMesh(radius_m, height_m, kSectors, cell_m),
+                 .paint = Paint::shadow,
+                 .isRound = true};
+  const int finest = std::max(kSectors, cellsFor(2.0 * std::numbers::pi * radius_m, cell_m));
+  for (int halvings = 1; halvings <= kCoarser && finest >> halvings >= kFewest; ++halvings) {
+    const int sectors = finest >> halvings;
+    part.coarser.push_back({discMesh(radius_m, height_m, sectors, kAnyCell_m), 0.0,
+                            radius_m * (1.0 - std::cos(std::numbers::pi / sectors))});
+  }
+  return part;
 }
 
 ScenePart outlineShadow(std::span<const Vec2> corners_m, double height_m, std::size_t body, double cell_m) {

@@ -73,6 +73,7 @@ struct SpectatorView::Drawing {
   SolidDrawer solids;
   std::vector<Solid> head;
   std::vector<Solid> coats;  ///< of each viewer
+  std::vector<Solid> below;
   Solid wand;
   std::array<RoomGeometry, kMostViewers> rooms;  ///< as each viewer sees it
   std::vector<Solid> table;
@@ -111,6 +112,7 @@ SpectatorView::Drawing::Drawing(Graphics& graphicsIn, const RoomGeometry& roomIn
       wand(solids.upload(*viewer.wand.mesh, viewer.wand.colour)) {
   if (graphics.inSoftware()) smoother.emplace(EdgePixels::Tones::luminance);
   for (const ModelPart& part : viewer.head) head.push_back(solids.upload(*part.mesh, part.colour));
+  for (const ModelPart& part : viewer.below) below.push_back(solids.upload(*part.mesh, part.colour));
   for (std::size_t i = 0; i < room.viewers.size(); ++i) {
     coats.push_back(solids.upload(*viewer.coats.at(i).mesh, viewer.coats[i].colour));
     rooms[i] = seenBy(room, i);
@@ -148,7 +150,10 @@ void SpectatorView::Drawing::drawViewers(const FrameRecord& record) const {
   for (std::size_t i = 0; i < std::min<std::size_t>(record.viewerCount, room.viewers.size()); ++i) {
     const ViewerPlaces places = viewerPlaces({record, i}, rooms[i], surfaces.floor_m());
     for (const Solid& part : head) solids.draw(part, places.roomFromHead);
-    if (places.roomFromCoat) solids.draw(coats[i], *places.roomFromCoat);
+    if (places.roomFromCoat) {
+      solids.draw(coats[i], *places.roomFromCoat);
+      for (const Solid& part : below) solids.draw(part, *places.roomFromCoat);
+    }
     if (places.roomFromWand) solids.draw(wand, *places.roomFromWand);
   }
 }

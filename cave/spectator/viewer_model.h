@@ -1,5 +1,5 @@
 #pragma once
-// A model of the viewer for the room seen from outside: a head with 3-D glasses, a coat below it, and a wand.
+// A model of the viewer for the room seen from outside: a person with 3-D glasses, and a wand.
 
 #include <array>
 #include <optional>
@@ -19,10 +19,10 @@ namespace carom {
 /// Meshes in metres; x right, y forward, z up.
 struct ViewerModel {
   std::vector<ModelPart> head;  ///< relative to the point between the eyes
-  /// Relative to the floor below the neck; the eyes are 1 m high. One for each viewer, in a colour of their
-  /// own.
-  std::array<ModelPart, kMostViewers> coats;
-  ModelPart wand;  ///< relative to the point where it is held
+  // Relative to the floor below the neck; the eyes are 1 m high.
+  std::array<ModelPart, kMostViewers> coats;  ///< one for each viewer, in a colour of their own
+  std::vector<ModelPart> below;               ///< neck and hands, trousers, shoes
+  ModelPart wand;                             ///< relative to the point where it is held
 };
 ViewerModel makeViewerModel();
 

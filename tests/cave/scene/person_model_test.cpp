@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "cave/red_green.h"
 #include "cave/scene/scene_builder.h"
 
 namespace carom {
@@ -31,7 +32,7 @@ TEST(PersonModel, PeopleAreTheLastBodiesOfAScene) {
   std::vector<int> parts(scene.bodyCount);
   for (const ScenePart& part : scene.parts) ++parts.at(part.body);
   for (std::size_t person = 0; person < kMostViewers; ++person) {
-    EXPECT_EQ(parts[bodyOf(scene, person, PersonBody::head)], 3);
+    EXPECT_EQ(parts[bodyOf(scene, person, PersonBody::head)], 4);
     EXPECT_EQ(parts[bodyOf(scene, person, PersonBody::hand)], 1);
     EXPECT_EQ(parts[bodyOf(scene, person, PersonBody::cue)], 1);
   }
@@ -58,6 +59,12 @@ TEST(PersonModel, TheyLookAndPointAlongXAndNothingReachesFartherThanTheSceneSays
       EXPECT_GT(bounds[1], -bounds[0]) << "held behind its middle";
     }
   }
+}
+
+TEST(PersonModel, CoatsDifferForEyesWithoutRedOrGreenCones) {
+  for (std::size_t i = 0; i < kCoatColours.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_GT(test::leastDifference(kCoatColours[i], kCoatColours[j]), 12.0) << i << ", " << j;
 }
 
 }  // namespace
