@@ -50,6 +50,7 @@ struct OperatorSettings {
   std::size_t task = 0;                ///< which task of the game, from 0
   /// The least energy with which each task was done in this session, by scenario file and number.
   std::map<std::pair<std::string, std::size_t>, double> bestOfTask_j;
+  bool canWalk = true;  ///< somebody's head is followed, or there are several people
   ConsoleState console = ConsoleState::none;
   bool keysShown = false;                             ///< the list of keys is drawn over the walls of rank 0
   std::string playing;                                ///< scenario file being played

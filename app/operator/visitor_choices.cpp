@@ -20,8 +20,9 @@ std::size_t numberOfLesson(const std::string& file) {
   return static_cast<std::size_t>(found - kLessons.begin());
 }
 
-std::string lessonAfter(const std::string& file) {
-  const std::size_t next = numberOfLesson(file) + 1;
+std::string lessonAfter(const std::string& file, bool canWalk) {
+  std::size_t next = numberOfLesson(file) + 1;
+  if (next < kLessons.size() && kLessons[next] == kLessonOfWalkers && !canWalk) ++next;
   return fileOfGame(next < kLessons.size() ? kLessons[next] : kLessons.front());
 }
 
@@ -46,7 +47,7 @@ Command commandOf(Choice choice, const OperatorSettings& settings) {
     case Choice::play:
       return afresh(playlist ? playlist->games.front().scenario.string() : fileOfGame(kWelcome));
     case Choice::lessons: {
-      if (!playlist) return afresh(lessonAfter(settings.lastLesson));
+      if (!playlist) return afresh(lessonAfter(settings.lastLesson, settings.canWalk));
       const auto lesson = lessonIn(*playlist, settings.lastLesson);
       if (lesson) return afresh(*lesson);
       return TellPerson{texts::message::kNoLesson};

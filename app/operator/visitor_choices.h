@@ -27,8 +27,10 @@ std::string fileOfGame(std::string_view name);
 std::size_t numberOfLesson(const std::string& file);
 
 /// Returns the file of the lesson after the one in this file: the first one after the last, or if the file is
-/// no lesson.
-std::string lessonAfter(const std::string& file);
+/// no lesson. `canWalk`: somebody can walk about, which one of the lessons is about; otherwise it is left
+/// out.
+std::string lessonAfter(const std::string& file, bool canWalk = true);
+inline constexpr std::string_view kLessonOfWalkers = "twins-in-one-room";
 
 /// Returns the command that carries out a visitor's choice. The lessons go on after the one seen last. With a
 /// playlist, only its games are played: its first one, and its lessons in their order; what it does not have

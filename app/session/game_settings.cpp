@@ -20,12 +20,22 @@ void beginTask(const Scenario& scenario, std::size_t number, OperatorSettings& s
   settings.views.clocks = task.goal.kind == TaskGoal::Kind::clockReads ? 1 : 0;
 }
 
+/// Returns whether somebody can walk about the room: a head is followed, or there are several.
+bool canWalk(const Rig& rig) {
+  if (rig.byMouse || isHeadset(rig) || rig.viewers.size() > 1) return true;
+  const std::size_t number = rig.viewers.front().head.sensor.tracker;
+  if (number >= rig.trackers.size()) return false;
+  const TrackerSetup& tracker = rig.trackers[number];
+  return tracker.kind != TrackerKind::simulated || tracker.person != SimulatedMotion::still;
+}
+
 }  // namespace
 
 OperatorSettings settingsAtStart(const Rig& rig, const Scenario& scenario) {
   OperatorSettings settings;
   settings.eyeSeparation_m = rig.viewers.front().head.eyeSeparation_m;
   settings.lightSpeed_m_s = scenario.billiard.lightSpeed_m_s;
+  settings.canWalk = canWalk(rig);
   settings.walls.comfort = rig.comfort.aids ? 1 : 0;
   return settings;
 }

@@ -29,6 +29,20 @@ TEST(VisitorChoices, LeadsThroughEveryShippedLessonAndBack) {
   EXPECT_EQ(lessonAfter(file), fileOfGame(kLessons.front()));
 }
 
+// Where nobody can walk, the lesson that asks people to is left out, and no other.
+TEST(VisitorChoices, LeavesOutTheLessonOfWalkersWhereNobodyCanWalk) {
+  OperatorSettings settings;
+  settings.canWalk = false;
+  std::set<std::string> visited;
+  for (std::size_t i = 0; i + 1 < kLessons.size(); ++i) {
+    settings.lastLesson = std::get<PlayScenario>(commandOf(Choice::lessons, settings)).file;
+    visited.insert(std::filesystem::path(settings.lastLesson).stem().string());
+  }
+  EXPECT_EQ(visited.size(), kLessons.size() - 1);
+  EXPECT_FALSE(visited.contains(std::string(kLessonOfWalkers)));
+  EXPECT_EQ(lessonAfter(settings.lastLesson, false), fileOfGame(kLessons.front()));
+}
+
 TEST(VisitorChoices, LessonsGoOnAfterTheOneSeenLast) {
   OperatorSettings settings;
   settings.playing = fileOfGame(kWelcome);

@@ -29,5 +29,18 @@ TEST(GameSettings, TheNextVisitorBeginsWithTheFirstLanguageAndAnotherGameKeepsTh
   }
 }
 
+TEST(GameSettings, SomebodyCanWalkWhereAHeadIsFollowedOrThereAreSeveral) {
+  Scenario scenario;
+  scenario.billiard.lightSpeed_m_s = 1.42;
+  const auto canWalk = [&](const char* name) {
+    return settingsAtStart(readRig(std::string(CAROM_CONFIG_DIR "/rigs/") + name + ".toml"), scenario)
+        .canWalk;
+  };
+  EXPECT_FALSE(canWalk("play")) << "its person stands still";
+  EXPECT_TRUE(canWalk("desk")) << "its person walks";
+  EXPECT_TRUE(canWalk("desk-two"));
+  EXPECT_TRUE(canWalk("headset"));
+}
+
 }  // namespace
 }  // namespace carom
