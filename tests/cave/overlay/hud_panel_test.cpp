@@ -104,7 +104,9 @@ const LessonWords kLesson{
     1,
     "Press G and go.",
     "Watch your clock.",
-    "10.3 s and 8 s."};
+    "10.3 s and 8 s.",
+    "",
+    ""};
 
 TEST(HudPanel, AskWithNumberedAnswersInShortLines) {
   FrameRecord record = recordAt(1.0);
@@ -378,7 +380,7 @@ std::string textOf(std::size_t letters) {
 
 // The longest texts that a lesson may have, with a stopwatch and velocities.
 TEST_F(DrawnWords, TheBandOfALessonHasLettersOfAFortiethOfTheHeight) {
-  LessonWords words{"", textOf(160), {}, 0, textOf(160), textOf(160), textOf(230)};
+  LessonWords words{"", textOf(160), {}, 0, textOf(160), textOf(160), textOf(230), "", ""};
   for (int i = 0; i < 3; ++i) words.answers.push_back(textOf(70));
   words.answers.push_back("HHH");
   LessonPlan plan;
