@@ -34,6 +34,19 @@ LeveredBody levered(const GameState& game, int i, const Vec21& touch, const LegS
   return {{game.spins[i].body, j, at.u}, game.discs[i].radius, way - at.u * dot(at.u, way)};
 }
 
+// What an impact gives the second of two in the frame of their common momentum P: q − (q·P/P·P) P.
+Vec21 impulseOnSecond(const GameState& game, const PuckPair& who, const std::array<LegState, 2>& turn,
+                      const PairOutcome& outcome) {
+  std::array<Vec21, 2> before, after;
+  for (int k = 0; k < 2; ++k) {
+    const double j = game.turningAt(who[k], turn[k].properTime).j;
+    before[k] = turn[k].u * game.massOf(who[k], j);
+    after[k] = outcome.kick.centres.u[k] * game.massOf(who[k], outcome.kick.j[k]);
+  }
+  const Vec21 q = after[1] - before[1], P = after[0] + after[1];
+  return q - P * (dot(q, P) / dot(P, P));
+}
+
 // Those that something else has turned while they were behind each other stay there.
 bool haveParted(const GameState& game, int first, int second, PersistentContact& earlier) {
   const MovingShape one = game.followedShape(first), other = game.followedShape(second);
@@ -148,10 +161,12 @@ void PolygonPair::kickElsewhere(const GameState& game, const PuckPair& who, cons
 
 // Light tells the centres late. Bodies that have gone through each other by then, and would part for good on
 // another side than that on which they touch, give each other one more kick along their impulse. It comes
-// with the same signal.
+// with the same signal. Where others press them, the jam is settled instead.
 void PolygonPair::sendBack(const GameState& game, const PuckPair& who, const PairContact& contact,
                            const std::array<LegState, 2>& turn, PairOutcome& outcome) const {
   if (!areBothPolygons(game, who[0], who[1])) return;
+  for (int k = 0; k < 2; ++k)
+    if (game.isPressed(who[k], turn[k].x.t)) return;
   std::array<std::vector<MovingShape>, 2> flights;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
@@ -162,11 +177,11 @@ void PolygonPair::sendBack(const GameState& game, const PuckPair& who, const Pai
     const double angle = game.turningAt(i, turn[k].properTime).angle;
     flights[k].push_back(game.shapeOn(i, leg, {outcome.kick.j[k], angle}));
   }
-  if (!partElsewhere(flights, *game.persistentContact(who[0], who[1]))) return;
   PairContact central = contact;
-  central.n = outcome.kick.centres.u[1] - turn[1].u;
-  central.n = central.n - contact.U * dot(contact.U, central.n);
+  central.n = impulseOnSecond(game, who, turn, outcome);
   central.central = true;
+  const PersistentContact touched{{flights[0].front(), flights[1].front()}, contact.event, central.n};
+  if (!partElsewhere(flights, touched)) return;
   const auto back = kick(game, who, central, outcome.kick.centres.u, outcome.kick.j, outcome.restitution);
   if (back && back->centres.closing > kResting) outcome.add(*back);
 }

@@ -10,7 +10,9 @@ namespace carom {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kResumed = 1e-9;  // of the radii: what comes so soon after a contact is that contact
+constexpr double kResumed = 1e-9;   // of the radii: what comes so soon after a contact is that contact
+constexpr double kSideways = 0.02;  // of light speed: bodies that approach slower along n leave sideways
+constexpr double kBeside = 0.7;     // nearer to the normal, by this cosine, no body leaves another sideways
 
 bool haveCorners(const MovingShape& first, const MovingShape& second) {
   return first.outline != nullptr && second.outline != nullptr;
@@ -113,6 +115,18 @@ double circlesPart(const MovingShape& first, const MovingShape& second, const Co
   return ww > 0.0 && root2 > 0.0 ? from + (-dw + std::sqrt(root2)) / ww : from;
 }
 
+// How fast two bodies approach along n in their frame of equal speeds, over c; below 0 if they recede.
+double approachAlong(const Vec21& n, const MovingShape& first, const MovingShape& second) {
+  const Vec21 U = equalSpeedFrame(first.u, second.u), along = n - U * dot(U, n);
+  return dot(along, second.u - first.u) / (std::sqrt(-dot(along, along)) * dot(U, first.u));
+}
+
+// Their relative speed, likewise.
+double relativeSpeed(const MovingShape& first, const MovingShape& second) {
+  const Vec21 apart = second.u - first.u;
+  return std::sqrt(std::max(0.0, -dot(apart, apart))) / dot(equalSpeedFrame(first.u, second.u), first.u);
+}
+
 }  // namespace
 
 bool partElsewhere(const std::array<std::vector<MovingShape>, 2>& flights, const PersistentContact& earlier) {
@@ -130,7 +144,9 @@ bool partElsewhere(const std::array<std::vector<MovingShape>, 2>& flights, const
   }
   const MovingShape &first = flights[0].back(), &second = flights[1].back();
   followPassage(first, second, earlier, circlesPart(first, second, window), passage);
-  return passage.elsewhere;
+  if (passage.elsewhere) return true;
+  return approachAlong(earlier.n, first, second) > kSideways &&
+         passage.leastAlong < std::min(relativeSpeed(first, second), kBeside);
 }
 
 PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,

@@ -56,7 +56,9 @@ std::optional<CornerContact> findCornerContact(const MovingShape& first, const M
 
 /// Returns whether two bodies will part for good on another side than that of an earlier contact; only of
 /// convex ones this is known. Each follows its flights one after the other, from the contact or the first
-/// start on.
+/// start on. Frames disagree about the side: bodies that go on approaching along n, above 0.02 c, part
+/// elsewhere, too, if they have come out of each other at an angle to n of which the cosine is less than
+/// their relative speed.
 bool partElsewhere(const std::array<std::vector<MovingShape>, 2>& flights, const PersistentContact& earlier);
 
 /// Returns how two bodies have come from an earlier contact by the moment at which the later flight begins,

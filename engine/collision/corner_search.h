@@ -96,7 +96,8 @@ double partingOfCorners(const MovingShape& first, const MovingShape& second, con
 /// How two convex bodies go through each other from a contact on.
 struct Passage {
   bool overlapping = true;
-  bool elsewhere = false;  ///< they last came out of each other on another side than that of the contact
+  bool elsewhere = false;   ///< they last came out of each other on another side than that of the contact
+  double leastAlong = 1.0;  ///< the least cosine between such a side's normal and that of the contact
 
   /// Whether they have come out on the side of the contact. Then it is over: what touches next is another
   /// one.

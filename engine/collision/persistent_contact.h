@@ -8,10 +8,11 @@
 // however near another is, and what comes at a side from behind does not touch it. Convex bodies that are in
 // or through each other are free to turn there: to them the sides count that look, by then, to where the
 // other one was on the board. A corner that has come in, or is through, is kept out by that side as a leg
-// begins. From the moment on at which the two have parted on their flights, all this is forgotten.
+// begins. From the moment on at which the two have parted on their flights, all this is forgotten. Convex
+// ones that have been through each other have parted when a line across the contact's normal parts them.
 //
 // Convex bodies are also followed through each other, in the frame of equal speeds of the contact: they have
-// passed when the side that parts them, as they come out, looks against the normal of the contact. A contact
+// passed when the side that parts them, as they come out, looks against the impulse of the contact. A contact
 // after which they would part for good on such a side goes on with a kick through both centres, along its
 // impulse, which sends them back. Theory: app/doc/physics.md, Polygons.
 
@@ -24,7 +25,7 @@ namespace carom {
 /// Two flights and the contact at which they came together.
 struct PersistentContact {
   std::array<MovingShape, 2> flights;
-  Vec21 event, n;       ///< PairContact's C and n
+  Vec21 event, n;       ///< PairContact's C and n; or, instead of n, the impulse
   bool behind = false;  ///< they have been found to be through each other since
 };
 

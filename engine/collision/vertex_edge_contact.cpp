@@ -75,7 +75,9 @@ class Corners {
   PenetrationState penetration() const { return penetration_; }
   /// Of convex bodies, by the sides that have all corners of the other outside: one of which looks back to
   /// where the other was at the earlier contact, or only such as look away.
-  PenetrationState penetrationOfConvex() const;
+  PenetrationState penetrationOfConvex(bool haveBeenBehind) const;
+  /// Whether a line across the normal of the earlier contact parts a from b, in front of b.
+  bool isInFront() const;
   /// The widest gap between b's sides and a at `window.from`, below 0 if none parts them, and the cosine of
   /// the angle between that side's normal and the way out on which a was at the earlier contact.
   struct Gap {
@@ -289,7 +291,17 @@ Corners::Gap Corners::gap() const {
   return widest;
 }
 
-PenetrationState Corners::penetrationOfConvex() const {
+bool Corners::isInFront() const {
+  return std::all_of(spots_.begin(), spots_.end(), [this](const Spot& spot) {
+    const Vec2 front = outwards(spot);
+    double farthest = -kNever;
+    for (const Vec2& corner : b_.outline->corners()) farthest = std::max(farthest, glm::dot(corner, front));
+    return glm::dot(spot.place, front) > farthest;
+  });
+}
+
+PenetrationState Corners::penetrationOfConvex(bool haveBeenBehind) const {
+  if (haveBeenBehind && isInFront()) return PenetrationState::apart;
   PenetrationState penetration = PenetrationState::inside;
   for (const Outline::Side& side : b_.outline->sides()) {
     double least = kNever, along = 1.0;
@@ -303,8 +315,8 @@ PenetrationState Corners::penetrationOfConvex() const {
       isFar = glm::dot(spot.place, front) < -b_.radius;
     }
     if (!(least >= -kCornerTouches * size_)) continue;
-    // A body far behind is outside of sides that are turned a little, too.
-    if (along > -kFront && !isFar) return PenetrationState::apart;
+    // A body far behind is outside of sides that are turned a little, too; one on its way back, of others.
+    if (along > -kFront && !isFar && !haveBeenBehind) return PenetrationState::apart;
     penetration = PenetrationState::through;
   }
   return penetration;
@@ -459,8 +471,8 @@ struct BothCorners {
     ofFirst.lookBack(), ofSecond.lookBack();
     PenetrationState penetration = std::max(ofFirst.penetration(), ofSecond.penetration());
     if (convex && (penetration != PenetrationState::apart || haveBeenBehind)) {
-      const PenetrationState bySecond = ofFirst.penetrationOfConvex(),
-                             byFirst = ofSecond.penetrationOfConvex();
+      const PenetrationState bySecond = ofFirst.penetrationOfConvex(haveBeenBehind),
+                             byFirst = ofSecond.penetrationOfConvex(haveBeenBehind);
       const bool apart = bySecond == PenetrationState::apart || byFirst == PenetrationState::apart;
       penetration = apart ? PenetrationState::apart : std::max(bySecond, byFirst);
     }
@@ -532,7 +544,10 @@ void followPassage(const MovingShape& first, const MovingShape& second, const Pe
     const auto bySecond = corners.ofFirst.gap(), byFirst = corners.ofSecond.gap();
     const auto& widest = bySecond.width > byFirst.width ? bySecond : byFirst;
     const bool apart = widest.width > kPassageTouches * size;
-    if (passage.overlapping && apart) passage.elsewhere = widest.along < 0.0;
+    if (passage.overlapping && apart) {
+      passage.elsewhere = widest.along < 0.0;
+      passage.leastAlong = std::min(passage.leastAlong, widest.along);
+    }
     passage.overlapping = !apart;
     now.from += std::max(std::abs(widest.width), kPassageStep * size) / fastest;
   }

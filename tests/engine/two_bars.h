@@ -1,6 +1,13 @@
 #pragma once
-// Two bars that meet face to face, or anyhow, and how two bodies with corners pass through each other on the
-// board, by the shapes that their world lines give there: an independent judge of who ends on which side.
+// Two bars that meet face to face, or anyhow, and how two bodies with corners leave each other on the board,
+// by the shapes that their world lines give there: an independent judge of who ends on which side.
+//
+// The side on which two bodies last touched is the one to which the impulse q of their last contact pushes
+// the second. They recede for good from another side if
+// * they recede against it: q·(u2 − u1) > 0 with the last four-velocities, on which all frames agree;
+// * and where they come out of each other for the last time, the side of either that parts them there looks
+//   against it, too: on the board, and to each body as it has turned with the impulse since. Of bodies that
+//   are not in each other after the contact, all sides that part them when both have turned.
 
 #include <algorithm>
 #include <array>
@@ -14,6 +21,7 @@
 #include "engine/billiard/billiard.h"
 #include "engine/collision/moving_shape.h"
 #include "engine/collision/outline.h"
+#include "engine/collision/spinning_body.h"
 #include "engine/corner_games.h"
 
 namespace carom::test {
@@ -51,26 +59,14 @@ inline BilliardSetup twoBars(const Meeting& meeting, unsigned seed) {
 /// direction.
 struct BoardGap {
   double width = -1e9;
-  Vec2 normal{0.0};              ///< from the first body to the second
-  std::array<double, 2> angles;  ///< of both bodies then
+  Vec2 normal{0.0};           ///< from the first body to the second
+  std::vector<Vec2> normals;  ///< of all sides that part them
 };
 
-/// A time during which two bodies overlap on the board.
+/// A time during which two bodies overlap on the board, and how they come out of each other.
 struct BoardOverlap {
-  double begin = 0.0, end = 0.0, deepest = 0.0;  ///< metres
-  BoardGap before, after;
-
-  /// Whether they part on another side than that on which they came together: seen from the board and from
-  /// either.
-  bool isPassage() const {
-    const auto along = [&](double turned) {
-      const double c = std::cos(turned), s = std::sin(turned);
-      const Vec2 normal{before.normal.x * c - before.normal.y * s, before.normal.x * s + before.normal.y * c};
-      return glm::dot(normal, after.normal);
-    };
-    return along(0.0) < 0.0 && along(after.angles[0] - before.angles[0]) < 0.0 &&
-           along(after.angles[1] - before.angles[1]) < 0.0;
-  }
+  double begin = 0.0, end = 0.0;  ///< metres of light
+  BoardGap after;
 };
 
 inline BoardGap gapOnBoard(const std::array<std::vector<Vec2>, 2>& corners) {
@@ -82,60 +78,123 @@ inline BoardGap gapOnBoard(const std::array<std::vector<Vec2>, 2>& corners) {
       const Vec2 normal = Vec2{side.y, -side.x} / glm::length(side);
       double least = 1e9;
       for (const Vec2& corner : other) least = std::min(least, glm::dot(normal, corner - one[k]));
-      if (least > gap.width) gap.width = least, gap.normal = i == 0 ? normal : -normal;
+      const Vec2 outwards = i == 0 ? normal : -normal;
+      if (least > 0.0) gap.normals.push_back(outwards);
+      if (least > gap.width) gap.width = least, gap.normal = outwards;
     }
   }
   return gap;
 }
 
-/// Returns when the first two pucks of a game overlap between two board times in metres of light, looked at
-/// in steps.
-inline std::vector<BoardOverlap> overlapsOnBoard(const Billiard& game, const BilliardSetup& setup,
-                                                 double from, double until, double step) {
-  std::array<std::optional<Outline>, 2> outlines;
-  for (int i = 0; i < 2; ++i) outlines[i].emplace(setup.pucks[i].outline_m);
-  const double reach = outlines[0]->radius() + outlines[1]->radius();
-  const double least = 1e-9 * reach, c = setup.lightSpeed_m_s;
-  std::vector<BoardOverlap> overlaps;
-  BoardGap last;
-  bool inside = false;
-  for (double t = from; t < until; t += step) {
+/// The first two pucks of a game, on the board.
+class BarsOnBoard {
+ public:
+  BarsOnBoard(const Billiard& game, const BilliardSetup& setup) : game_(game), c_(setup.lightSpeed_m_s) {
+    for (int i = 0; i < 2; ++i) outlines_[i].emplace(setup.pucks[i].outline_m);
+  }
+
+  /// Both at a board time in metres of light.
+  BoardGap gapAt(double t) const {
     std::array<std::vector<Vec2>, 2> corners;
-    std::array<double, 2> angles{};
     std::array<Vec2, 2> places;
     for (int i = 0; i < 2; ++i) {
-      const Motion motion = game.worldLines()[i].at(t / c);
-      places[i] = {motion.event.r_m.x, motion.event.r_m.y};
+      const Vec3 r = motionOf(i, t).event.r_m;
+      places[i] = {r.x, r.y};
     }
-    BoardGap gap;
-    if (glm::length(places[1] - places[0]) > reach) {
-      gap.width = glm::length(places[1] - places[0]) - reach;
-      gap.normal = glm::normalize(places[1] - places[0]);
-    } else {
-      for (int i = 0; i < 2; ++i) {
-        const Motion motion = game.worldLines()[i].at(t / c);
-        const Knot knot = game.worldLines()[i].knots()[motion.leg];
-        const Vec21 start{knot.turn.t_s * c, knot.turn.r_m.x, knot.turn.r_m.y};
-        const MovingShape flight{start,
-                                 fourVelocity(knot.u.x, knot.u.y),
-                                 outlines[i]->radius(),
-                                 &*outlines[i],
-                                 knot.spin.angle_rad,
-                                 knot.spin.omega_rad_s / c};
-        corners[i] = cornersOnBoard(flight, t);
-        angles[i] = knot.spin.angle_rad + knot.spin.omega_rad_s * (motion.properTime_s - knot.properTime_s);
-      }
-      gap = gapOnBoard(corners);
+    const Vec2 apart = places[1] - places[0];
+    const double reach = outlines_[0]->radius() + outlines_[1]->radius();
+    if (glm::length(apart) > reach) {
+      const Vec2 normal = glm::normalize(apart);
+      return {glm::length(apart) - reach, normal, {normal}};
     }
-    gap.angles = angles;
-    if (!inside && gap.width < -least) overlaps.push_back({t, t, 0.0, last, {}});
-    inside = gap.width < -least;
-    if (inside) overlaps.back().deepest = std::min(overlaps.back().deepest, gap.width);
-    if (!overlaps.empty() && overlaps.back().after.width < 0.0 && !inside)
-      overlaps.back().end = t, overlaps.back().after = gap;
-    last = gap;
+    for (int i = 0; i < 2; ++i) corners[i] = cornersOnBoard(flightOf(i, t), t);
+    return gapOnBoard(corners);
   }
-  return overlaps;
+  double angleAt(int i, double t) const {
+    const Motion motion = motionOf(i, t);
+    const Knot knot = knotOf(i, motion);
+    return knot.spin.angle_rad + knot.spin.omega_rad_s * (motion.properTime_s - knot.properTime_s);
+  }
+
+  /// Returns when they overlap between two board times, looked at in steps.
+  std::vector<BoardOverlap> overlaps(double from, double until, double step) const {
+    const double least = 1e-9 * (outlines_[0]->radius() + outlines_[1]->radius());
+    std::vector<BoardOverlap> overlaps;
+    bool inside = false;
+    for (double t = from; t < until; t += step) {
+      const BoardGap gap = gapAt(t);
+      const bool isInside = gap.width < -least;
+      if (isInside && !inside) overlaps.push_back({t, until, {}});
+      if (!isInside && inside) overlaps.back().end = t, overlaps.back().after = gap;
+      inside = isInside;
+    }
+    return overlaps;
+  }
+
+ private:
+  Motion motionOf(int i, double t) const { return game_.worldLines()[i].at(t / c_); }
+  Knot knotOf(int i, const Motion& motion) const { return game_.worldLines()[i].knots()[motion.leg]; }
+  MovingShape flightOf(int i, double t) const {
+    const Knot knot = knotOf(i, motionOf(i, t));
+    return {{knot.turn.t_s * c_, knot.turn.r_m.x, knot.turn.r_m.y},
+            fourVelocity(knot.u.x, knot.u.y),
+            outlines_[i]->radius(),
+            &*outlines_[i],
+            knot.spin.angle_rad,
+            knot.spin.omega_rad_s / c_};
+  }
+
+  const Billiard& game_;
+  double c_;
+  std::array<std::optional<Outline>, 2> outlines_;
+};
+
+/// How a pair has ended.
+struct BarsEnd {
+  double receding = 0.0;  ///< over c, along the last impulse, in the frame of P; below 0: against it
+  double along = 1.0;     ///< the cosine of the side on which they parted with it, in the best reading
+};
+
+/// The momentum of a bar, over c: the mass changes with the spin.
+inline Vec21 momentumOf(const BilliardSetup& setup, std::size_t i, const Vec2& beta, double spin_kg_m2_s) {
+  const Puck& bar = setup.pucks[i];
+  const SpinningBody body{bar.mass_kg, bar.inertia * bar.mass_kg};
+  const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
+  const Vec21 u{gamma, gamma * beta.x, gamma * beta.y};
+  return u * restMass(body, spin_kg_m2_s / (bar.radius_m * setup.lightSpeed_m_s));
+}
+
+/// Returns the end of a pair that has touched and of which every turn lies before `until`, metres of light.
+inline BarsEnd endOf(const Billiard& game, const BilliardSetup& setup, double until, double step) {
+  const GameEvent& last = game.events().back();
+  std::array<Vec21, 2> before, p;
+  for (const Turn& turn : last.turns) {
+    before[turn.puck] = momentumOf(setup, turn.puck, turn.betaBefore, turn.spinBefore_kg_m2_s);
+    p[turn.puck] = momentumOf(setup, turn.puck, turn.betaAfter, turn.spinAfter_kg_m2_s);
+  }
+  const Vec21 P = p[0] + p[1], given = p[1] - before[1], q = given - P * (dot(given, P) / dot(P, P));
+  const auto along = [&](const Vec21& of) { return -dot(q, of) / dot(P, of); };
+  BarsEnd end;
+  end.receding = (along(p[1]) - along(p[0])) * std::sqrt(dot(P, P) / -dot(q, q));
+
+  constexpr double kJustAfter_m = 1e-9;
+  const double touched = last.at.t_s * setup.lightSpeed_m_s;
+  double parted = touched;
+  for (const Turn& turn : last.turns) parted = std::max(parted, turn.event.t_s * setup.lightSpeed_m_s);
+  parted += kJustAfter_m;
+  const BarsOnBoard bars(game, setup);
+  const std::vector<BoardOverlap> overlaps = bars.overlaps(touched, until, step);
+  std::vector<Vec2> normals = bars.gapAt(parted).normals;
+  if (!overlaps.empty()) parted = overlaps.back().end, normals = {overlaps.back().after.normal};
+  const Vec2 push = glm::normalize(Vec2{q.x, q.y});
+  end.along = -1.0;
+  for (const double turned : {0.0, bars.angleAt(0, parted) - bars.angleAt(0, touched),
+                              bars.angleAt(1, parted) - bars.angleAt(1, touched)}) {
+    const double c = std::cos(turned), s = std::sin(turned);
+    const Vec2 carried{push.x * c - push.y * s, push.x * s + push.y * c};
+    for (const Vec2& normal : normals) end.along = std::max(end.along, glm::dot(carried, normal));
+  }
+  return end;
 }
 
 }  // namespace carom::test

@@ -55,8 +55,7 @@ TEST(BarsFaceToFace, NoneEndsBehindTheOther) {
           SCOPED_TRACE(testing::Message() << thick_m << " m at " << beta << " c, e = " << restitution
                                           << (atContact ? ", contact" : ", centre"));
           const Row row = playRow({thick_m, beta, restitution, atContact, 3.0 * M_PI / 180.0, 0.006}, pairs);
-          // Near the speed of light, a few spin so fast that they pass beside each other on their way back.
-          EXPECT_LE(row.behind, beta < 0.95 ? 0 : pairs / 20);
+          EXPECT_EQ(row.behind, 0);
           kicks += row.kicks, met += static_cast<std::size_t>(pairs);
           if (asked == nullptr) continue;
           std::printf("e %.1f %s %2.0f mm %.2f c: %3d behind, %4.1f kicks, at most %zu, without delay %zu\n",
@@ -70,19 +69,41 @@ TEST(BarsFaceToFace, NoneEndsBehindTheOther) {
   }
 }
 
+// Some fly far through each other near the speed of light, and have turned by a radian when they are back.
+// What then comes at a side from behind is no new contact.
+TEST(BarsFaceToFace, ThatComeBackFromAfarTouchOnlyTheSidesTheyCameFrom) {
+  struct Pair {
+    double thick_m, beta, restitution;
+    unsigned seed;
+  };
+  for (const Pair& pair :
+       {Pair{0.001, 0.99, 1.0, 180}, Pair{0.003, 0.9, 1.0, 100}, Pair{0.003, 0.9, 1.0, 197},
+        Pair{0.003, 0.99, 1.0, 155}, Pair{0.003, 0.99, 1.0, 195}, Pair{0.001, 0.99, 0.5, 156}}) {
+    SCOPED_TRACE(testing::Message() << pair.thick_m << " m at " << pair.beta << " c, seed " << pair.seed);
+    Billiard game(
+        twoBars({pair.thick_m, pair.beta, pair.restitution, false, 3.0 * M_PI / 180.0, 0.006}, pair.seed));
+    game.advanceTo(100.0);
+    const auto x = [&](int i) { return game.worldLines()[i].at(100.0).event.r_m.x; };
+    EXPECT_LT(x(0), x(1));
+  }
+}
+
 Vec2 lastBeta(const Billiard& game, int i) {
   const Vec2 u = game.worldLines()[i].knots().back().u;
   return u / std::sqrt(1.0 + glm::dot(u, u));
 }
 
 // Anyhow tilted, at 0.02 c: on the side on which Newton's bars end, to 60°. Where turns do not wait for
-// light, with their velocities, to three tenths of the speed: the shapes at each blow differ by v²/c².
+// light, with their velocities, to three tenths of the speed: the shapes at each blow differ by v²/c². Left
+// out are ends that graze by less than the way that bars make until light has told their centres, 1.2 mm, or
+// that meet long after a first blow: one pair in fifty.
 TEST(BarsFaceToFace, SlowOnesEndAsNewtonsDo) {
   constexpr double kBeta = 0.02, kUntil_m = 40.0;
   const char* const asked = std::getenv("CAROM_PAIRS");
   const int pairs = asked != nullptr ? std::atoi(asked) : 12;
   for (const bool atContact : {false, true}) {
     for (const double thick_m : {0.001, 0.01, 0.03}) {
+      int touched = 0, otherwise = 0;
       for (int n = 0; n < pairs; ++n) {
         SCOPED_TRACE(testing::Message()
                      << thick_m << " m, seed " << n << (atContact ? ", contact" : ", centre"));
@@ -101,47 +122,22 @@ TEST(BarsFaceToFace, SlowOnesEndAsNewtonsDo) {
         if (blows == 0 || game.events().empty()) continue;
         const Vec2 apart = lastBeta(game, 1) - lastBeta(game, 0);
         const Vec2 newton = bodies[1].velocity - bodies[0].velocity;
-        EXPECT_GT(glm::dot(apart, newton), 0.5 * glm::length(apart) * glm::length(newton));
-        if (!atContact) continue;
-        EXPECT_LT(glm::length(apart - newton), 0.3 * kBeta);
+        const bool sameSide = glm::dot(apart, newton) > 0.5 * glm::length(apart) * glm::length(newton);
+        const bool sameVelocity = glm::length(apart - newton) < 0.3 * kBeta;
+        ++touched;
+        otherwise += !(sameSide && (sameVelocity || !atContact));
       }
+      EXPECT_LE(otherwise, touched / 50) << thick_m << " m" << (atContact ? ", contact" : ", centre");
     }
   }
 }
-
-using test::BoardOverlap;
 
 struct Ends {
   int pairs = 0, touched = 0, elsewhere = 0, untouched = 0;
   std::size_t kicks = 0, most = 0;
 };
 
-Vec21 lastU(const Billiard& game, int i) {
-  const Vec3 u = game.worldLines()[i].knots().back().u;
-  return fourVelocity(u.x, u.y);
-}
-
-/// The impulse of a kick on the second bar, over its mass and c, but for heat and spin.
-Vec21 impulseOf(const GameEvent& kick) {
-  const auto u = [](const Vec2& beta) {
-    const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
-    return Vec21{gamma, gamma * beta.x, gamma * beta.y};
-  };
-  for (const Turn& turn : kick.turns)
-    if (turn.puck == 1) return u(turn.betaAfter) - u(turn.betaBefore);
-  return {0.0, 0.0, 0.0};
-}
-
-/// How fast two bars recede along the impulse that the second one was given, in their frame of equal speeds.
-double recedingAlong(const Vec21& impulse, const Vec21& first, const Vec21& second) {
-  const Vec21 U = equalSpeedFrame(first, second);
-  const Vec21 along = impulse - U * dot(U, impulse);
-  return -dot(along, second - first) / std::sqrt(-dot(along, along)) / dot(U, first);
-}
-
-/// Whether bars recede against their last impulse after they have gone through each other: the shapes on the
-/// board have come out of each other on another side, and have not come back. Bars that leave each other
-/// sideways, slower than kSideways along the impulse, recede from no side.
+/// Bars that leave each other sideways, slower than kSideways along the impulse, recede from no side.
 void addEnd(const BilliardSetup& setup, Ends& ends) {
   constexpr double kForever_s = 2000.0, kStep_m = 0.0004, kClear_m = 0.5, kSideways = 0.02;
   Billiard game(setup);
@@ -150,22 +146,40 @@ void addEnd(const BilliardSetup& setup, Ends& ends) {
   for (const GameEvent& event : game.events())
     for (const Turn& turn : event.turns) lastTurn = std::max(lastTurn, turn.event.t_s * setup.lightSpeed_m_s);
   const double until = lastTurn + kClear_m / std::abs(setup.pucks[0].beta.x);
-  bool through = false;
-  const std::vector<BoardOverlap> overlaps = test::overlapsOnBoard(game, setup, 0.0, until, kStep_m);
-  for (const BoardOverlap& overlap : overlaps) through = through != overlap.isPassage();
   ++ends.pairs;
   ends.kicks += game.events().size(), ends.most = std::max(ends.most, game.events().size());
   if (game.events().empty()) {
-    ends.untouched += !overlaps.empty();
+    ends.untouched += !test::BarsOnBoard(game, setup).overlaps(0.0, until, kStep_m).empty();
     return;
   }
   ++ends.touched;
-  const double receding = recedingAlong(impulseOf(game.events().back()), lastU(game, 0), lastU(game, 1));
-  ends.elsewhere += through && receding < -kSideways;
+  const test::BarsEnd end = test::endOf(game, setup, until, kStep_m);
+  ends.elsewhere += end.receding < -kSideways && end.along < 0.0;
 }
 
-// What is left of 708 pairs that touch at a speed, 4 at most, turns by a right angle or more while it is in
-// the other: which side it leaves by depends on the frame in which it is looked at.
+// Their kick leaves them approaching, through each other, or at an angle about which frames disagree.
+TEST(BarsAnyTilt, ThatApproachAfterTheirKickAreSentBack) {
+  struct Pair {
+    Meeting meeting;
+    unsigned seed;
+  };
+  const auto pair = [](double thick_m, double beta, double restitution, bool atContact, unsigned seed) {
+    return Pair{{thick_m, beta, restitution, atContact, 0.5 * M_PI, 0.12}, seed};
+  };
+  for (const auto& [meeting, seed] :
+       {pair(0.01, 0.5, 1.0, false, 73), pair(0.03, 0.7, 1.0, false, 69), pair(0.01, 0.99, 1.0, false, 14),
+        pair(0.03, 0.99, 1.0, false, 59), pair(0.03, 0.99, 1.0, false, 77), pair(0.003, 0.99, 0.8, false, 40),
+        pair(0.01, 0.99, 0.8, false, 9), pair(0.03, 0.9, 0.8, true, 53)}) {
+    SCOPED_TRACE(testing::Message() << meeting.thick_m << " m at " << meeting.beta << " c, seed " << seed);
+    Ends ends;
+    addEnd(twoBars(meeting, seed), ends);
+    EXPECT_EQ(ends.touched, 1);
+    EXPECT_EQ(ends.elsewhere, 0);
+  }
+}
+
+// What is left hooks the other's far side with an end, or touches it where sides of bodies that turn fast are
+// straight in one frame and not in another: of 1600 pairs at a speed four at 0.99 c, fewer below.
 TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
   const char* const asked = std::getenv("CAROM_PAIRS");
   const int pairs = asked != nullptr ? std::atoi(asked) : 3;
@@ -191,10 +205,9 @@ TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
                     static_cast<double>(ends.kicks) / ends.pairs, ends.most);
         std::fflush(stdout);
       }
-      EXPECT_LE(all.elsewhere, all.pairs / 100);
+      EXPECT_LE(all.elsewhere, all.pairs / 400);
       EXPECT_EQ(all.untouched, 0);
-      // Some thick ones at 0.99 c slide along each other in hundreds of kicks: 19 a pair in the mean of 800.
-      EXPECT_LE(all.kicks, (beta < 0.99 ? 10u : 25u) * static_cast<std::size_t>(all.pairs));
+      EXPECT_LE(all.kicks, 10 * static_cast<std::size_t>(all.pairs));
     }
   }
 }
