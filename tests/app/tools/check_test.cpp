@@ -100,7 +100,7 @@ TEST(Check, TellsOfALessonWhatVisitorsWouldFindOut) {
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   EXPECT_EQ(checked("moment_s", "moment_s = 3.0").err, "");
   const auto outside = checked("moment_s", "moment_s = 9.0");
-  EXPECT_NE(outside.err.find(":24:12: moment_s is 9, which lies outside what the lesson shows"),
+  EXPECT_NE(outside.err.find(":26:12: moment_s is 9, which lies outside what the lesson shows"),
             std::string::npos)
       << outside.err;
   const auto missing = checked("until_s", "");
