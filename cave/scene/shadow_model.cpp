@@ -167,10 +167,6 @@ class ShadowOfOne {
   double light_, height_m_, cell_m_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Returns the shadow of a disc, of one light after the other, with `leastSectors` or more sectors.
 vtkSmartPointer<vtkPolyData> discMesh(double radius_m, double height_m, int leastSectors, double cell_m) {
   const double z = kShadowAboveCloth_m - 0.5 * height_m;
