@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "places.h"
+
 namespace carom::test {
 
 /// Returns the cases of a file of tests/data/cases. Throws if it cannot be read or holds none.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom::test {
 

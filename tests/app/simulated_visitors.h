@@ -31,6 +31,7 @@
 #include "cave/frame/bodies.h"
 #include "engine/random_world.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom::test {
 

@@ -14,6 +14,7 @@
 #include "app/journal/session_file.h"
 #include "engine/billiard/billiard.h"
 #include "engine/spacetime/observers.h"
+#include "places.h"
 
 using namespace carom;
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "devices/tracker/tracker.h"
+#include "places.h"
 
 namespace carom {
 

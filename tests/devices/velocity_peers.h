@@ -13,6 +13,7 @@
 
 #include "devices/recorded_head.h"
 #include "devices/tracker/tracker.h"
+#include "places.h"
 
 namespace carom {
 

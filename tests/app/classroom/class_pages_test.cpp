@@ -12,6 +12,7 @@
 #include "app/tables/html_text.h"
 #include "cave/record/class_view.h"
 #include "cave/texts/texts.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -7,6 +7,7 @@
 #include "app/program.h"
 #include "app/table_rows.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

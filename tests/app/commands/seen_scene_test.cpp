@@ -15,6 +15,7 @@
 #include <set>
 
 #include "app/program.h"
+#include "places.h"
 
 namespace carom {
 namespace {

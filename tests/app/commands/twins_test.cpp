@@ -10,6 +10,7 @@
 #include "app/journal/session_file.h"
 #include "app/program.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

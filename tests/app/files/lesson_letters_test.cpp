@@ -11,6 +11,7 @@
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/overlay/band_layout.h"
 #include "cave/overlay/panel_place.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -19,6 +19,7 @@
 #include "engine/light/vertex_history.h"
 #include "engine/spacetime/lorentz.h"
 #include "engine/spacetime/observers.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -8,6 +8,7 @@
 #include "app/files/input_file.h"
 #include "app/files/rig.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

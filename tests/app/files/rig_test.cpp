@@ -12,6 +12,7 @@
 #include "app/input_faults.h"
 #include "app/temporary_folder.h"
 #include "cave/room/wall_eyes.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/files/scenario.h"
 #include "engine/billiard/billiard.h"
 #include "engine/soft/soft_history.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -14,6 +14,7 @@
 #include "app/journal_frames.h"
 #include "app/temporary_folder.h"
 #include "cave/record/record_rules.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -15,6 +15,7 @@
 #include "app/nodes/status_writer.h"
 #include "app/nodes/timed_command.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

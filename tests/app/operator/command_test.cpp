@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -7,6 +7,7 @@
 #include "app/files/toml_file.h"
 #include "app/input_faults.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -11,6 +11,7 @@
 #include "app/files/scenario.h"
 #include "app/operator/wall_commands.h"
 #include "cave/texts/texts.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -14,6 +14,7 @@
 #include "app/files/scenario.h"
 #include "engine/billiard/billiard.h"
 #include "engine/random_world.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -27,6 +27,7 @@
 #include "cave/record/frame_digest.h"
 #include "engine/light/light_cone.h"
 #include "engine/random_world.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "engine/light/light_cone.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -13,6 +13,7 @@
 #include "cave/mesh/vtk_messages.h"
 #include "engine/billiard/billiard.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "app/room_formats/read_room.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "app/room_formats/ndisplay_scene.h"
 #include "app/room_formats/read_room.h"
+#include "places.h"
 
 namespace carom {
 namespace {

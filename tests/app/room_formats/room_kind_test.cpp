@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/room_formats/read_room.h"
+#include "places.h"
 
 namespace carom {
 namespace {

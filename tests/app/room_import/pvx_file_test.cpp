@@ -5,6 +5,7 @@
 #include "app/import_faults.h"
 #include "app/room_import/room_check.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

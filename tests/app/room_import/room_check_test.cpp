@@ -6,6 +6,7 @@
 
 #include "app/room_import/rig_room.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -14,6 +14,7 @@
 #include "app/temporary_folder.h"
 #include "cave/screen/curved_screen.h"
 #include "cave/screen/screen_facts.h"
+#include "places.h"
 
 namespace carom {
 namespace {

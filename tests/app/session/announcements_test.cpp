@@ -5,6 +5,7 @@
 
 #include "cave/texts/texts.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "places.h"
+
 namespace carom {
 namespace {
 

@@ -10,6 +10,7 @@
 #include "app/operator/lesson.h"
 #include "app/session/live_source.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

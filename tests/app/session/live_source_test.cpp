@@ -20,6 +20,7 @@
 #include "cave/overlay/wall_buttons.h"
 #include "engine/light/light_cone.h"
 #include "engine/random_world.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -16,6 +16,7 @@
 #include "cave/audio/heard.h"
 #include "cave/texts/texts.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

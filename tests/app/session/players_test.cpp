@@ -9,6 +9,7 @@
 #include "app/viewer/room_motion.h"
 #include "cave/texts/texts.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -18,6 +18,7 @@
 #include "cave/record/frame_digest.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/light_cone.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -17,6 +17,7 @@
 #include "engine/random_world.h"
 #include "engine/sculpture/event_order.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

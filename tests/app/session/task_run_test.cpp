@@ -17,6 +17,7 @@
 #include "app/temporary_folder.h"
 #include "cave/texts/texts.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -18,6 +18,7 @@
 #include "engine/light/point_emission.h"
 #include "engine/random_world.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -28,6 +28,7 @@
 #include "cave/overlay/band_layout.h"
 #include "cave/texts/texts.h"
 #include "log_lines.h"
+#include "places.h"
 
 namespace carom {
 namespace {

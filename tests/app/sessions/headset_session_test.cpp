@@ -31,6 +31,7 @@
 #include "cave/display/display_walls.h"
 #include "cave/gl/image.h"
 #include "cave/scene/kept_light.h"
+#include "places.h"
 
 namespace carom {
 namespace {

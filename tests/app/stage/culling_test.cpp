@@ -29,6 +29,7 @@
 #include "cave/screen/curved_screen.h"
 #include "engine/billiard/billiard.h"
 #include "engine/random_world.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -25,6 +25,7 @@
 #include "cave/gl/graphics.h"
 #include "cave/gl/image.h"
 #include "cave/overlay/band_layout.h"
+#include "places.h"
 
 namespace carom::test {
 

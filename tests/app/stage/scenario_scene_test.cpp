@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/files/rig.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -28,6 +28,7 @@
 #include "cave/screen/sky_screen.h"
 #include "cave/screen/true_screens.h"
 #include "engine/billiard/billiard.h"
+#include "places.h"
 
 namespace carom {
 namespace {

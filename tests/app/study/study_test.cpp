@@ -10,6 +10,7 @@
 #include "app/files/input_file.h"
 #include "app/study/item_bank.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "app/files/scenario.h"
 #include "engine/spacetime/lorentz.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -8,6 +8,7 @@
 #include "app/files/scenario.h"
 #include "app/journal_frames.h"
 #include "app/program.h"
+#include "places.h"
 
 namespace carom {
 namespace {

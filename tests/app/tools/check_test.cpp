@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "app/program.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -10,6 +10,7 @@
 #include "app/program.h"
 #include "devices/filter/head_filter.h"
 #include "devices/tracker/trace.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "app/program.h"
 #include "app/tools/trouble_table.h"
+#include "places.h"
 
 namespace carom {
 namespace {

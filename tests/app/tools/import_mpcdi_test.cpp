@@ -15,6 +15,7 @@
 #include "cave/mesh_files/measured_bytes.h"
 #include "cave/mesh_files/warp_file.h"
 #include "cave/screen/curved_screen.h"
+#include "places.h"
 
 namespace carom {
 namespace {

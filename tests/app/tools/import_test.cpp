@@ -10,6 +10,7 @@
 #include "app/room_import/rig_room.h"
 #include "app/room_import/room_check.h"
 #include "cave/screen/curved_screen.h"
+#include "places.h"
 
 namespace carom {
 namespace {

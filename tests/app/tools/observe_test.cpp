@@ -9,6 +9,7 @@
 
 #include "app/program.h"
 #include "exact_cases.h"
+#include "places.h"
 
 namespace carom {
 namespace {

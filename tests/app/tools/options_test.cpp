@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/program.h"
+#include "places.h"
 
 namespace carom {
 namespace {

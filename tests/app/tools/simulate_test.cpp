@@ -11,6 +11,7 @@
 #include "app/files/scenario.h"
 #include "app/program.h"
 #include "exact_cases.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/files/scenario.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -14,6 +14,7 @@
 #include "app/program.h"
 #include "devices/monitor/loss_counter.h"
 #include "devices/tracker/trace.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -5,6 +5,8 @@
 
 #include <chrono>
 
+#include "places.h"
+
 namespace carom {
 namespace {
 

@@ -11,6 +11,7 @@
 #include "app/fed_tracker.h"
 #include "app/files/rig.h"
 #include "app/files/scenario.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -13,6 +13,7 @@
 #include "app/files/rig.h"
 #include "cave/display/window.h"
 #include "cave/gl/image.h"
+#include "places.h"
 
 namespace carom {
 namespace {

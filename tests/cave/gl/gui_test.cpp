@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cave/gl/graphics.h"
+#include "places.h"
 
 namespace carom {
 namespace {

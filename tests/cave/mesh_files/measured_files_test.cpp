@@ -19,6 +19,7 @@
 #include "cave/mesh_files/warp_formats.h"
 #include "engine/base/outside_file.h"
 #include "mutate.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -14,6 +14,7 @@
 #include "engine/base/input_error.h"
 #include "engine/collision/outline.h"
 #include "engine/random_world.h"
+#include "places.h"
 
 namespace carom {
 namespace {

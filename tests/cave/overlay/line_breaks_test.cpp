@@ -16,6 +16,7 @@
 #include "cave/overlay/hud_text.h"
 #include "cave/overlay/line_breaks.h"
 #include "cave/room/room_geometry.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -13,6 +13,7 @@
 #include "cave/scene/scene_builder.h"
 #include "cave/silhouettes.h"
 #include "engine/light/mesh_emission.h"
+#include "places.h"
 
 namespace carom {
 namespace {

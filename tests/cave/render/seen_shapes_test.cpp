@@ -13,6 +13,7 @@
 #include "cave/reference_views.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/light/mesh_emission.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -13,6 +13,7 @@
 #include "app/files/rig.h"
 #include "cave/room/room_geometry.h"
 #include "engine/random_world.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -15,6 +15,7 @@
 #include "devices/gap_score.h"
 #include "devices/simulated_heads.h"
 #include "devices/velocity_peers.h"
+#include "places.h"
 #include "sanitized.h"
 
 namespace carom {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "devices/natnet_sender.h"
+#include "places.h"
 
 namespace carom {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "devices/walk_trace.h"
 #include "engine/base/input_error.h"
+#include "places.h"
 
 namespace carom {
 namespace {
