@@ -10,6 +10,7 @@ namespace carom {
 
 namespace {
 
+constexpr double kPressed = 0.02;     // of light speed: slower ones that others press are not sent back
 constexpr int kKicksOfAnImpact = 16;  // at places where bodies lie on each other when they meet at another
 
 bool areBothPolygons(const GameState& game, int first, int second) {
@@ -159,14 +160,15 @@ void PolygonPair::kickElsewhere(const GameState& game, const PuckPair& who, cons
   }
 }
 
-// Light tells the centres late. Bodies that have gone through each other by then, and would part for good on
-// another side than that on which they touch, give each other one more kick along their impulse. It comes
-// with the same signal. Where others press them, the jam is settled instead.
+// Light tells the centres late. Bodies that have gone through each other by then, or go past each other
+// without another touch, and would part for good on another side than that on which they touch, give each
+// other one more kick along their impulse. It comes with the same signal. Where others press them, and they
+// are slow or do not rebound, the jam is settled instead.
 void PolygonPair::sendBack(const GameState& game, const PuckPair& who, const PairContact& contact,
                            const std::array<LegState, 2>& turn, PairOutcome& outcome) const {
   if (!areBothPolygons(game, who[0], who[1])) return;
-  for (int k = 0; k < 2; ++k)
-    if (game.isPressed(who[k], turn[k].x.t)) return;
+  const bool pressed = game.isPressed(who[0], turn[0].x.t) || game.isPressed(who[1], turn[1].x.t);
+  if (pressed && outcome.restitution == 0.0) return;
   std::array<std::vector<MovingShape>, 2> flights;
   for (int k = 0; k < 2; ++k) {
     const int i = who[k];
@@ -181,9 +183,11 @@ void PolygonPair::sendBack(const GameState& game, const PuckPair& who, const Pai
   central.n = impulseOnSecond(game, who, turn, outcome);
   central.central = true;
   const PersistentContact touched{{flights[0].front(), flights[1].front()}, contact.event, central.n};
-  if (!partElsewhere(flights, touched)) return;
+  const PersistentContact* const noted = game.persistentContact(who[0], who[1]);
+  if (!partElsewhere(flights, touched) && !goPast(flights[0].back(), flights[1].back(), touched, noted))
+    return;
   const auto back = kick(game, who, central, outcome.kick.centres.u, outcome.kick.j, outcome.restitution);
-  if (back && back->centres.closing > kResting) outcome.add(*back);
+  if (back && back->centres.closing > (pressed ? kPressed : kResting)) outcome.add(*back);
 }
 
 // On the legs that both follow.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/collision/board_passage.h"
 #include "engine/collision/corner_search.h"
 
 namespace carom {
@@ -147,6 +148,12 @@ bool partElsewhere(const std::array<std::vector<MovingShape>, 2>& flights, const
   if (passage.elsewhere) return true;
   return approachAlong(earlier.n, first, second) > kSideways &&
          passage.leastAlong < std::min(relativeSpeed(first, second), kBeside);
+}
+
+bool goPast(const MovingShape& first, const MovingShape& second, const PersistentContact& touched,
+            const PersistentContact* noted) {
+  return approachAlong(touched.n, first, second) > kSideways &&
+         !findCornerContact(first, second, -kNever, noted) && passEachOther(first, second, touched);
 }
 
 PenetrationState penetrationSince(const PersistentContact& earlier, const MovingShape& first,

@@ -60,6 +60,11 @@ std::optional<CornerContact> findCornerContact(const MovingShape& first, const M
 /// elsewhere, too, if they have come out of each other at an angle to n of which the cosine is less than
 /// their relative speed.
 bool partElsewhere(const std::array<std::vector<MovingShape>, 2>& flights, const PersistentContact& earlier);
+/// Returns whether two convex bodies go past each other on flights on which they do not touch again: they
+/// approach along the impulse `touched.n` of a contact, above 0.02 c, and part on the board on a side that
+/// looks against it. `noted` is what they know of an earlier contact.
+bool goPast(const MovingShape& first, const MovingShape& second, const PersistentContact& touched,
+            const PersistentContact* noted);
 
 /// Returns how two bodies have come from an earlier contact by the moment at which the later flight begins,
 /// in the frame of equal speeds; or by a time of this frame, from the first one's start on.

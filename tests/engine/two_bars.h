@@ -116,12 +116,12 @@ class BarsOnBoard {
     return knot.spin.angle_rad + knot.spin.omega_rad_s * (motion.properTime_s - knot.properTime_s);
   }
 
-  /// Returns when they overlap between two board times, looked at in steps.
-  std::vector<BoardOverlap> overlaps(double from, double until, double step) const {
+  /// Returns when they overlap between two board times, looked at in steps, and at another time between them.
+  std::vector<BoardOverlap> overlaps(double from, double until, double step, double also) const {
     const double least = 1e-9 * (outlines_[0]->radius() + outlines_[1]->radius());
     std::vector<BoardOverlap> overlaps;
     bool inside = false;
-    for (double t = from; t < until; t += step) {
+    for (double t = from; t < until; t = t < also && t + step > also ? also : t + step) {
       const BoardGap gap = gapAt(t);
       const bool isInside = gap.width < -least;
       if (isInside && !inside) overlaps.push_back({t, until, {}});
@@ -183,7 +183,7 @@ inline BarsEnd endOf(const Billiard& game, const BilliardSetup& setup, double un
   for (const Turn& turn : last.turns) parted = std::max(parted, turn.event.t_s * setup.lightSpeed_m_s);
   parted += kJustAfter_m;
   const BarsOnBoard bars(game, setup);
-  const std::vector<BoardOverlap> overlaps = bars.overlaps(touched, until, step);
+  const std::vector<BoardOverlap> overlaps = bars.overlaps(touched, until, step, parted);
   std::vector<Vec2> normals = bars.gapAt(parted).normals;
   if (!overlaps.empty()) parted = overlaps.back().end, normals = {overlaps.back().after.normal};
   const Vec2 push = glm::normalize(Vec2{q.x, q.y});

@@ -93,43 +93,59 @@ Vec2 lastBeta(const Billiard& game, int i) {
   return u / std::sqrt(1.0 + glm::dot(u, u));
 }
 
-// Anyhow tilted, at 0.02 c: on the side on which Newton's bars end, to 60°. Where turns do not wait for
-// light, with their velocities, to three tenths of the speed: the shapes at each blow differ by v²/c². Left
-// out are ends that graze by less than the way that bars make until light has told their centres, 1.2 mm, or
-// that meet long after a first blow: one pair in fifty.
-TEST(BarsFaceToFace, SlowOnesEndAsNewtonsDo) {
-  constexpr double kBeta = 0.02, kUntil_m = 40.0;
-  const char* const asked = std::getenv("CAROM_PAIRS");
-  const int pairs = asked != nullptr ? std::atoi(asked) : 12;
-  for (const bool atContact : {false, true}) {
-    for (const double thick_m : {0.001, 0.01, 0.03}) {
-      int touched = 0, otherwise = 0;
-      for (int n = 0; n < pairs; ++n) {
-        SCOPED_TRACE(testing::Message()
-                     << thick_m << " m, seed " << n << (atContact ? ", contact" : ", centre"));
-        const BilliardSetup setup =
-            twoBars({thick_m, kBeta, 1.0, atContact, M_PI, 0.12}, static_cast<unsigned>(n));
-        std::array<test::NewtonBody, 2> bodies;
-        for (int i = 0; i < 2; ++i) {
-          const Puck& bar = setup.pucks[i];
-          bodies[i] = {bar.outline_m, bar.mass_kg, bar.inertia * bar.mass_kg * bar.radius_m * bar.radius_m,
-                       bar.position_m, bar.beta};
-        }
-        const int blows = test::playNewton(bodies, 1.0, kUntil_m);
-        Billiard game(setup);
-        game.advanceTo(kUntil_m / setup.lightSpeed_m_s);
-        EXPECT_EQ(blows == 0, game.events().empty());
-        if (blows == 0 || game.events().empty()) continue;
-        const Vec2 apart = lastBeta(game, 1) - lastBeta(game, 0);
-        const Vec2 newton = bodies[1].velocity - bodies[0].velocity;
-        const bool sameSide = glm::dot(apart, newton) > 0.5 * glm::length(apart) * glm::length(newton);
-        const bool sameVelocity = glm::length(apart - newton) < 0.3 * kBeta;
-        ++touched;
-        otherwise += !(sameSide && (sameVelocity || !atContact));
+// Of bars anyhow tilted, how many touch, and end on another side than Newton's, to 60°, or with another
+// velocity, by three tenths of the speed.
+struct AsNewtons {
+  int touched = 0, otherSide = 0, otherVelocity = 0;
+};
+
+AsNewtons playBeside(double beta, bool atContact, int pairs) {
+  const double until_m = 0.8 / beta;
+  AsNewtons all;
+  for (const double thick_m : {0.001, 0.01, 0.03}) {
+    for (int n = 0; n < pairs; ++n) {
+      SCOPED_TRACE(testing::Message() << thick_m << " m at " << beta << " c, seed " << n
+                                      << (atContact ? ", contact" : ", centre"));
+      const BilliardSetup setup =
+          twoBars({thick_m, beta, 1.0, atContact, M_PI, 0.12}, static_cast<unsigned>(n));
+      std::array<test::NewtonBody, 2> bodies;
+      for (int i = 0; i < 2; ++i) {
+        const Puck& bar = setup.pucks[i];
+        bodies[i] = {bar.outline_m, bar.mass_kg, bar.inertia * bar.mass_kg * bar.radius_m * bar.radius_m,
+                     bar.position_m, bar.beta};
       }
-      EXPECT_LE(otherwise, touched / 50) << thick_m << " m" << (atContact ? ", contact" : ", centre");
+      const int blows = test::playNewton(bodies, 1.0, until_m);
+      Billiard game(setup);
+      game.advanceTo(until_m / setup.lightSpeed_m_s);
+      EXPECT_EQ(blows == 0, game.events().empty());
+      if (blows == 0 || game.events().empty()) continue;
+      const Vec2 apart = lastBeta(game, 1) - lastBeta(game, 0);
+      const Vec2 newton = bodies[1].velocity - bodies[0].velocity;
+      ++all.touched;
+      if (!(glm::dot(apart, newton) > 0.5 * glm::length(apart) * glm::length(newton)))
+        ++all.otherSide;
+      else if (!(glm::length(apart - newton) < 0.3 * beta))
+        ++all.otherVelocity;
     }
   }
+  return all;
+}
+
+// Where turns do not wait for light, on the side on which Newton's bars end; the shapes at each blow differ
+// by v²/c², which changes the velocities of ends that graze. Where they wait, bars make a way of v/c of their
+// length until their centres know of the blow, 1.2 mm at 0.02 c: an end that grazes by less, or meets long
+// after a first blow, ends anyhow, and fewer do so the slower they are.
+TEST(BarsFaceToFace, SlowOnesEndAsNewtonsDo) {
+  const char* const asked = std::getenv("CAROM_PAIRS");
+  const int pairs = asked != nullptr ? std::atoi(asked) : 40;
+  const AsNewtons atContact = playBeside(0.02, true, pairs), waiting = playBeside(0.02, false, pairs),
+                  slower = playBeside(0.002, false, pairs);
+  EXPECT_EQ(atContact.otherSide, 0);
+  EXPECT_LE(atContact.otherVelocity, atContact.touched / 100);
+  EXPECT_LE(waiting.otherSide, waiting.touched / 50);
+  EXPECT_LE(slower.otherSide, slower.touched / 100);
+  EXPECT_LE(slower.otherVelocity, slower.touched / 50);
+  EXPECT_GT(slower.touched, 2 * pairs);
 }
 
 struct Ends {
@@ -149,7 +165,7 @@ void addEnd(const BilliardSetup& setup, Ends& ends) {
   ++ends.pairs;
   ends.kicks += game.events().size(), ends.most = std::max(ends.most, game.events().size());
   if (game.events().empty()) {
-    ends.untouched += !test::BarsOnBoard(game, setup).overlaps(0.0, until, kStep_m).empty();
+    ends.untouched += !test::BarsOnBoard(game, setup).overlaps(0.0, until, kStep_m, 0.0).empty();
     return;
   }
   ++ends.touched;
@@ -169,7 +185,11 @@ TEST(BarsAnyTilt, ThatApproachAfterTheirKickAreSentBack) {
   for (const auto& [meeting, seed] :
        {pair(0.01, 0.5, 1.0, false, 73), pair(0.03, 0.7, 1.0, false, 69), pair(0.01, 0.99, 1.0, false, 14),
         pair(0.03, 0.99, 1.0, false, 59), pair(0.03, 0.99, 1.0, false, 77), pair(0.003, 0.99, 0.8, false, 40),
-        pair(0.01, 0.99, 0.8, false, 9), pair(0.03, 0.9, 0.8, true, 53)}) {
+        pair(0.01, 0.99, 0.8, false, 9), pair(0.03, 0.9, 0.8, true, 53),
+        // These touch no more, and go past each other on the board; the last one in a jam of their own.
+        pair(0.003, 0.95, 1.0, true, 160), pair(0.001, 0.99, 1.0, true, 162),
+        pair(0.001, 0.99, 0.8, true, 186), pair(0.003, 0.95, 1.0, false, 34),
+        pair(0.003, 0.99, 0.8, false, 15), pair(0.001, 0.99, 0.8, false, 187)}) {
     SCOPED_TRACE(testing::Message() << meeting.thick_m << " m at " << meeting.beta << " c, seed " << seed);
     Ends ends;
     addEnd(twoBars(meeting, seed), ends);
@@ -178,8 +198,6 @@ TEST(BarsAnyTilt, ThatApproachAfterTheirKickAreSentBack) {
   }
 }
 
-// What is left hooks the other's far side with an end, or touches it where sides of bodies that turn fast are
-// straight in one frame and not in another: of 1600 pairs at a speed four at 0.99 c, fewer below.
 TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
   const char* const asked = std::getenv("CAROM_PAIRS");
   const int pairs = asked != nullptr ? std::atoi(asked) : 3;
@@ -205,7 +223,7 @@ TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
                     static_cast<double>(ends.kicks) / ends.pairs, ends.most);
         std::fflush(stdout);
       }
-      EXPECT_LE(all.elsewhere, all.pairs / 400);
+      EXPECT_EQ(all.elsewhere, 0);
       EXPECT_EQ(all.untouched, 0);
       EXPECT_LE(all.kicks, 10 * static_cast<std::size_t>(all.pairs));
     }
