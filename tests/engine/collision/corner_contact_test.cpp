@@ -328,6 +328,27 @@ TEST(CornerContact, OverlappingBodiesThatApproachTouchAtOnce) {
   EXPECT_FALSE(findCornerContact(left, right));
 }
 
+// A point of a triangle comes to a square that rests and has turned since before the triangle's flight: in
+// the square's own time, which is the board's.
+TEST(CornerContact, TheNormalLiesAsTheTouchedBodyHasTurnedByThen) {
+  const Outline square(regular(4, 0.1)), triangle(regular(3, 0.02, M_PI));
+  constexpr double kBegin = -0.3, kAngle = 0.2, kTurning = 2.0;
+  const MovingShape turns{{kBegin, 0.0, 0.0}, {1.0, 0.0, 0.0}, square.radius(), &square, kAngle, kTurning};
+  const MovingShape comes = flight({0.5, 0.012}, {-0.6, 0.0}, triangle);
+  const auto found = findCornerContact(turns, comes, equalSpeedFrame(turns.u, comes.u));
+  ASSERT_TRUE(found);
+  const Vec21& n = found->contact.n;
+  const double angle = kAngle + kTurning * (found->contact.event.t - kBegin);
+  double nearest = -1.0;
+  for (const Outline::Side& side : square.sides()) {
+    const Vec2 normal{side.normal.x * std::cos(angle) - side.normal.y * std::sin(angle),
+                      side.normal.x * std::sin(angle) + side.normal.y * std::cos(angle)};
+    nearest = std::max(nearest, glm::dot(normal, Vec2{n.x, n.y}));
+  }
+  EXPECT_WITHIN(n.t, 0.0, 1e-12);
+  EXPECT_WITHIN(nearest, 1.0, 1e-12);
+}
+
 TEST(CornerContact, TurningBarsThatRestBesideEachOtherMeet) {
   const Outline bar(rectangle(0.12, 0.02));
   const MovingShape still = flight({0.0, 0.0}, {0.0, 0.0}, bar);
