@@ -1,5 +1,6 @@
 #pragma once
-// How two convex bodies with corners go past each other on the board after their last touch.
+// How two convex bodies with corners go past each other on the board after their last touch. Theory:
+// app/doc/physics.md, Polygons.
 
 #include "engine/collision/persistent_contact.h"
 
