@@ -187,6 +187,8 @@ TEST(BarsAnyTilt, ThatApproachAfterTheirKickAreSentBack) {
        {pair(0.01, 0.5, 1.0, false, 73), pair(0.03, 0.7, 1.0, false, 69), pair(0.01, 0.99, 1.0, false, 14),
         pair(0.03, 0.99, 1.0, false, 59), pair(0.03, 0.99, 1.0, false, 77), pair(0.003, 0.99, 0.8, false, 40),
         pair(0.01, 0.99, 0.8, false, 9), pair(0.03, 0.9, 0.8, true, 53),
+        // These come out of each other beside the impulse.
+        pair(0.03, 0.99, 0.8, false, 169), pair(0.001, 0.99, 0.8, true, 9),
         // These touch no more, and go past each other on the board; the last one in a jam of their own.
         pair(0.003, 0.95, 1.0, true, 160), pair(0.001, 0.99, 1.0, true, 162),
         pair(0.001, 0.99, 0.8, true, 186), pair(0.003, 0.95, 1.0, false, 34),
