@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/collision/rest_axes.h"
+
 namespace carom {
 
 namespace {
@@ -17,6 +19,7 @@ using Vec2 = glm::dvec2;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTouches = 1e-9;    // of the radii: so far apart they have come out of each other
 constexpr double kLeastStep = 1e-4;  // likewise: the least way between two looks
+constexpr double kFastest = 2.0;     // over c: no corner and side of two bodies come nearer faster
 constexpr int kMostLooks = 4096;
 
 /// The widest gap between two bodies along a side of either, below 0 if they overlap; and the largest cosine
@@ -24,11 +27,6 @@ constexpr int kMostLooks = 4096;
 struct SideGap {
   double width = -kNever, alongWidest = -1.0, along = -1.0;
 };
-
-Vec2 rotated(const Vec2& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {v.x * c - v.y * s, v.x * s + v.y * c};
-}
 
 double ownTime(const MovingShape& flight, double t) { return (t - flight.start.t) / flight.u.t; }
 
@@ -41,8 +39,8 @@ class PairOnBoard {
   }
 
   SideGap gapAt(double t) const {
-    const std::array<Vec2, 3> impulses{impulse_, rotated(impulse_, turnedBy(0, t)),
-                                       rotated(impulse_, turnedBy(1, t))};
+    const std::array<Vec2, 3> impulses{impulse_, turned(impulse_, portableSinCos(turnedBy(0, t))),
+                                       turned(impulse_, portableSinCos(turnedBy(1, t)))};
     const auto alongOf = [&](const Vec2& outwards) {
       double along = -1.0;
       for (const Vec2& impulse : impulses) along = std::max(along, glm::dot(impulse, outwards));
@@ -72,9 +70,7 @@ class PairOnBoard {
     return gap;
   }
 
-  /// No corner comes nearer to a side of the other body faster than this, over c.
-  double fastest() const { return 2.0; }
-
+  double reach() const { return reach_; }
   /// Whether they are farther apart than they reach, and recede.
   bool haveLeft(double t) const {
     const Vec2 apart = placeOf(1, t) - placeOf(0, t);
@@ -103,7 +99,7 @@ class PairOnBoard {
 
 bool passEachOther(const MovingShape& first, const MovingShape& second, const PersistentContact& touched) {
   const PairOnBoard pair(first, second, touched);
-  const double reach = first.radius + second.radius;
+  const double reach = pair.reach();
   double t = std::max(first.start.t, second.start.t);
   bool elsewhere = false, overlapping = false;
   for (int looks = 0; looks < kMostLooks; ++looks) {
@@ -113,7 +109,7 @@ bool passEachOther(const MovingShape& first, const MovingShape& second, const Pe
     if (overlapping && apart) elsewhere = gap.alongWidest < 0.0;
     overlapping = !apart;
     if (pair.haveLeft(t)) break;
-    t += std::max(std::abs(gap.width), kLeastStep * reach) / pair.fastest();
+    t += std::max(std::abs(gap.width), kLeastStep * reach) / kFastest;
   }
   return elsewhere;
 }
