@@ -32,7 +32,7 @@ class Approach {
         axes_(flight.u),
         towards_(cushion.towards(flight.u)),
         away_(cushion.inside(flight.start)),
-        k_(axes_.place(normalOf(cushion) + flight.u * towards_)),
+        k_(axes_.place(normalOf(cushion))),
         reach_(flight.radius * glm::length(k_)) {}
 
   Vec2 offset(const Vec2& corner, double s) const {

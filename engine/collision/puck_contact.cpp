@@ -24,7 +24,8 @@ Approach approachOf(const Disc& first, const Disc& second) {
   p.difference.t = (p.sum.x * p.difference.x + p.sum.y * p.difference.y) / p.sum.t;
   p.q = p.difference.x * p.difference.x + p.difference.y * p.difference.y - p.difference.t * p.difference.t;
   p.s2 = p.q * (0.25 * p.q + 1.0);
-  p.normal = cross(first.u, second.u);
+  // u1×u2 = (u1−u2)×u2 likewise: pucks of nearly one velocity do not meet by rounding.
+  p.normal = cross(p.difference, second.u);
   p.triple = dot(p.normal, p.D);
   return p;
 }

@@ -66,6 +66,17 @@ TEST(OrientationFilter, FollowsAHeadThatLooksAbout) {
   }
 }
 
+// Each step turns by the rate's whole angle, however long it is: ten turns about the vertical in steps of
+// half a radian.
+TEST(OrientationFilter, LongStepsTurnByTheirWholeAngle) {
+  OrientationFilter filter;
+  filter.update(kStep_s, glm::dvec3(0.0), kGravity_m_s2);
+  constexpr int kSteps = 120;
+  const double step_s = 0.1, rate = 20.0 * M_PI / (kSteps * step_s);
+  for (int i = 0; i < kSteps; ++i) filter.update(step_s, {0.0, rate, 0.0}, kGravity_m_s2);
+  EXPECT_NEAR(glm::length(filter.orientation() * glm::dvec3(1, 0, 0) - glm::dvec3(1, 0, 0)), 0.0, 1e-12);
+}
+
 /// With gyroscope and accelerometer still, a small tilt error decays as θ'' + kP θ' + kI θ = 0: here solved
 /// by its roots, with the constants of the filter's source (0.3 and 0.02).
 TEST(OrientationFilter, TiltSettlesAsTheTheorySays) {

@@ -160,6 +160,26 @@ TEST(BilliardStroke, rewindingGivesTheBitsOfAScriptedGame) {
   }
 }
 
+// What is not forgotten can be struck however long the game goes on after it.
+TEST(BilliardStroke, reachesTheFirstMomentThatIsNotForgotten) {
+  const BilliardSetup setup = test::gasSetup(8, 0.15, 1.6, 22);
+  const Stroke stroke{3, 4.001, std::nullopt, {0.4, 0.2}};
+  Billiard forgets(setup), scripted(withStroke(setup, stroke));
+  forgets.advanceTo(4.0);
+  forgets.forgetBefore(4.0);
+  const std::size_t known = forgets.events().size();
+  forgets.advanceTo(200.0);
+  EXPECT_GT(forgets.events().size(), known + 2000);
+  forgets.strike(stroke);
+  scripted.advanceTo(200.0);
+  for (std::size_t i = 0; i < setup.pucks.size(); ++i) {
+    const Motion ours = forgets.worldLines()[i].at(200.0), theirs = scripted.worldLines()[i].at(200.0);
+    EXPECT_EQ(ours.event.r_m, theirs.event.r_m);
+    EXPECT_EQ(ours.u, theirs.u);
+    EXPECT_EQ(ours.properTime_s, theirs.properTime_s);
+  }
+}
+
 // The heat of a bounce on its way is changed by a stroke, and is again what it was when the stroke is
 // rewound.
 TEST(BilliardStroke, rewindingGivesTheHeatOfAScriptedGame) {

@@ -87,6 +87,29 @@ TEST(EventPredictor, FindsTheFirstOfAllInTheCourseOfAGame) {
   }
 }
 
+// Of two pucks that one would meet at the same time to the last bit it meets the one whose name comes first,
+// wherever that lies.
+TEST(EventPredictor, OfEqualTimesTheFirstNameCounts) {
+  for (const CollisionEvent event : {CollisionEvent::centre, CollisionEvent::contact}) {
+    for (const double side : {1.0, -1.0}) {
+      BilliardSetup setup;
+      setup.lightSpeed_m_s = 1.0;
+      setup.rules.collisionEvent = event;
+      const auto add = [&](const char* name, const Vec2& at_m, const Vec2& beta) {
+        setup.pucks.push_back({name, 0.03, 0.02, 1.0, at_m, beta});
+      };
+      add("a", {-0.5, 0.0}, {0.8, 0.0});
+      add("b", {0.5, side * 0.04}, {0.0, 0.0});
+      add("c", {0.5, -side * 0.04}, {0.0, 0.0});
+      const CollisionScheduler game(setup);
+      const LargeArray<Prediction>& predictions = game.state().predictions;
+      EXPECT_EQ(predictions[1].next.otherTime, predictions[2].next.otherTime);
+      EXPECT_EQ(predictions[0].next.kind, PredictedKind::pair);
+      EXPECT_EQ(predictions[0].next.with, 1) << side;
+    }
+  }
+}
+
 // The lists of those that count on meeting a puck hold exactly these.
 TEST(EventPredictor, PucksKnowWhoCountsOnThem) {
   const BilliardSetup setup = test::gasSetup(300, 0.3, 1.4, 13);

@@ -384,6 +384,41 @@ TEST(Jam, aRowMovesOnTogether) {
   }
 }
 
+// Two rows beside each other that never touch are jammed at nearly the same time: each as if it were alone.
+TEST(Jam, ofOneRowIsNoneOfAnotherBeside) {
+  for (const CollisionEvent convention : {CollisionEvent::contact, CollisionEvent::centre}) {
+    Game game;
+    game.board = false;
+    game.convention = convention;
+    SCOPED_TRACE(testing::Message() << game);
+    BilliardSetup alone = setupOf(game);
+    alone.pucks.back().position_m.y = 0.0;
+    BilliardSetup both = alone;
+    for (Puck puck : alone.pucks) {
+      puck.name.insert(0, "beside ");
+      puck.position_m += Vec2(0.003, 2.5 * kRadius_m);
+      both.pucks.push_back(puck);
+    }
+    Billiard one(alone), two(both);
+    one.advanceTo(20.0);
+    two.advanceTo(20.0);
+    ASSERT_FALSE(one.jams().empty());
+    EXPECT_GT(two.jams().size(), one.jams().size());
+    for (std::size_t i = 0; i < alone.pucks.size(); ++i) {
+      const Knots expected = one.worldLines()[i].knots(), found = two.worldLines()[i].knots();
+      // Of what turns after 20 s each knows as much as it needed.
+      for (std::size_t k = 0; k < std::max(found.size(), expected.size()); ++k) {
+        if (k >= std::min(found.size(), expected.size())) {
+          EXPECT_GT((k < found.size() ? found : expected)[k].turn.t_s, 20.0) << i;
+          break;
+        }
+        EXPECT_EQ(found[k].turn.t_s, expected[k].turn.t_s);
+        EXPECT_EQ(found[k].u, expected[k].u);
+      }
+    }
+  }
+}
+
 // A light so fast that all is slow: the bound of what is together is then a share of the blow.
 TEST(Jam, ofSlowPucks) {
   Game game;

@@ -328,6 +328,73 @@ TEST(CornerContact, OverlappingBodiesThatApproachTouchAtOnce) {
   EXPECT_FALSE(findCornerContact(left, right));
 }
 
+// Each centre hears of the contact when its light is there, and turns without delay where it is simultaneous
+// with it in the frame of equal speeds.
+TEST(CornerContact, SignalsGoAtTheSpeedOfLightAndSimultaneousMeansAtRightAngles) {
+  RandomPairs random(8);
+  int contacts = 0;
+  for (int n = 0; n < 300; ++n) {
+    SCOPED_TRACE("seed 8, pair " + std::to_string(n));
+    const Outline outlines[]{Outline(random.outline()), Outline(random.outline())};
+    const Vec2 betas[]{random.beta(), random.beta()};
+    const auto [place1, place2] = random.placesFor(betas[0], betas[1]);
+    const MovingShape flights[]{flight(place1, betas[0], outlines[0], 1.0),
+                                flight(place2, betas[1], outlines[1], -2.0)};
+    const auto found = findCornerContact(flights[0], flights[1]);
+    if (!found) continue;
+    ++contacts;
+    const Vec21 U = equalSpeedFrame(flights[0].u, flights[1].u);
+    for (int i = 0; i < 2; ++i) {
+      const auto since = [&](double own) {
+        return flights[i].start + flights[i].u * own - found->contact.event;
+      };
+      const Vec21 signal = since(found->contact.signal[i]);
+      EXPECT_GT(signal.t, 0.0);
+      EXPECT_WITHIN(signal.t - std::hypot(signal.x, signal.y), 0.0, 1e-11);
+      EXPECT_WITHIN(dot(U, since(found->contact.simultaneous[i])), 0.0, 1e-11);
+    }
+  }
+  EXPECT_GT(contacts, 100);
+}
+
+// In the order of the game's events a contact has the moment at which the nearest centre could hear of it;
+// one without delay has it by the turn that does not wait.
+TEST(CornerContact, TheGameOrdersByTurnsThatDoNotWaitForAnySignal) {
+  const Outline bar(rectangle(0.3, 0.02));
+  const MovingShape first = flight({0.0, 0.0}, {0.6, 0.0}, bar),
+                    second = flight({0.4, 0.0}, {-0.8, 0.0}, bar);
+  CornerContact found;
+  found.contact.simultaneous = {0.3, 0.5};
+  found.contact.signal = {0.4, 0.7};
+  const auto momentsOf = [&](const std::array<double, 2>& turn, double before) {
+    return std::array{first.u.t * (turn[0] - before), second.u.t * (turn[1] - before)};
+  };
+  for (const bool withoutDelay : {false, true}) {
+    SCOPED_TRACE(withoutDelay);
+    found.withoutDelay = withoutDelay;
+    const Meeting delayed = meetingOf(first, second, found, TurnConvention::signalAtCentre);
+    EXPECT_EQ(delayed.ownTime,
+              momentsOf(withoutDelay ? found.contact.simultaneous : found.contact.signal, bar.radius()));
+    EXPECT_EQ(delayed.withoutDelay, withoutDelay);
+    const Meeting atOnce = meetingOf(first, second, found, TurnConvention::simultaneousWithContact);
+    EXPECT_EQ(atOnce.ownTime, momentsOf(found.contact.simultaneous, 0.0));
+  }
+}
+
+// A bar that has been turned away from another just now does not touch it where it would have come from.
+TEST(CornerContact, WhatALegWouldHaveDoneBeforeItBeganDoesNotCount) {
+  const Outline bar(rectangle(0.3, 0.02));
+  const MovingShape rests = flight({0.0, 0.0}, {0.0, 0.0}, bar);
+  MovingShape leaves = flight({0.0, 0.1}, {0.1, 0.6}, bar);
+  leaves.start.t = 2.0;
+  EXPECT_FALSE(findCornerContact(rests, leaves));
+  EXPECT_FALSE(findCornerContact(leaves, rests));
+  leaves.u = fourVelocityOf({0.1, -0.6});
+  const auto found = findCornerContact(rests, leaves);
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->contact.event.t, leaves.start.t);
+}
+
 // A point of a triangle comes to a square that rests and has turned since before the triangle's flight: in
 // the square's own time, which is the board's.
 TEST(CornerContact, TheNormalLiesAsTheTouchedBodyHasTurnedByThen) {

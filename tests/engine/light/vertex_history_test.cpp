@@ -104,6 +104,66 @@ TEST(VertexHistory, PointsWhoseSpinTheClothSlowsMoveAsTheirPlacesDo) {
   EXPECT_GT(slowed, 12);
 }
 
+// A rim that goes round at w counts sqrt(1 − w²) of what its centre counts. After whole turns, of which each
+// takes γ of its own time on the board, it is where it was aboard.
+TEST(VertexHistory, TheClockOfARimGoesSlowerThanTheCentres) {
+  constexpr double kRadius_m = 0.1;
+  for (const double w : {0.3, 0.95}) {
+    Knot knot{{0.0, Vec3(0.0)}, uFromBeta(Vec3(0.6, 0.0, 0.0)), 0.0, {}, 0.0};
+    knot.spin.omega_rad_s = w * kC_m_s / kRadius_m;
+    knot.spin.rim_u = w / std::sqrt(1.0 - w * w);
+    const WorldLine line(knot, kC_m_s, kRadius_m);
+    const VertexPiece piece = vertexHistory(line, {0.0, kRadius_m, 0.0}).back();
+    const double turns_s = 3.0 * 2.0 * std::numbers::pi / knot.spin.omega_rad_s, from_s = 0.7;
+    const double counted_s = properTimeAt(piece, from_s + turns_s * gammaFromU(knot.u), kC_m_s) -
+                             properTimeAt(piece, from_s, kC_m_s);
+    EXPECT_NEAR(counted_s, turns_s * std::sqrt(1.0 - w * w), 1e-12) << w;
+  }
+}
+
+// In the rest frame of the turn a point catches up with its place on a rim that goes round at w at (1 + w)/2
+// of light speed, so that it comes there however fast that is.
+TEST(VertexHistory, PointsCatchUpWithTheFastestRims) {
+  test::Random random(14);
+  constexpr double kRadius_m = 0.1;
+  int led = 0;
+  for (int i = 0; i < 300; ++i) {
+    CASE(random, i);
+    const WorldLine line =
+        spun(random, randomWorldLine(random, kC_m_s, kRadius_m, 1, 1.0, 0.9), 0.999, 0.0, 0.95);
+    const double at = random.in(-3.0, 3.0);
+    const Vec3 offset_m = kRadius_m * Vec3(std::cos(at), std::sin(at), 0.0);
+    const auto history = vertexHistory(line, offset_m);
+    ASSERT_EQ(history.size(), 3u);
+    const VertexPiece &leads = history[1], &onLeg = history[2];
+    const Knot& knot = line.knots().back();
+    const Displacement way = Lorentz::boost(knot.u, kC_m_s).inverse() * (onLeg.start - leads.start);
+    if (!(way.dt_s > 1e-3)) continue;
+    ++led;
+    const double w = std::abs(knot.spin.omega_rad_s) * kRadius_m / kC_m_s;
+    EXPECT_NEAR(glm::length(way.dr_m) / (kC_m_s * way.dt_s), 0.5 + 0.5 * w, 1e-9);
+    EXPECT_LT(glm::length(placeAt(onLeg, onLeg.start.t_s, kC_m_s) - onLeg.start.r_m), kRounding_m);
+  }
+  EXPECT_GT(led, 200);
+}
+
+// The seen event lies on the eye's past light cone within the rounding of the coordinates, however fast the
+// body is: c (T − s) = |X − v s|.
+TEST(VertexHistory, TheSeenEventLiesOnTheLightConeAtAnySpeed) {
+  test::Random random(15);
+  for (int i = 0; i < 2000; ++i) {
+    CASE(random, i);
+    const double size = std::pow(10.0, random.in(-1.0, 3.0));  // γβ
+    const Knot knot{{random.in(-1.0, 0.0), random.inBox(1.0)}, random.direction() * size, 0.0, {}, 0.0};
+    const WorldLine line(knot, kC_m_s, 0.1);
+    const Event eye{random.in(0.0, 100.0), random.inBox(10.0)};
+    const Event seen = eventOnPastCone(vertexHistory(line, Vec3(0.0)), eye, kC_m_s);
+    const double delay_s = eye.t_s - seen.t_s, way_m = glm::length(eye.r_m - seen.r_m);
+    EXPECT_GE(delay_s, 0.0);
+    EXPECT_NEAR(kC_m_s * delay_s, way_m, 1e-14 * (1.0 + way_m + std::abs(eye.t_s))) << seen.t_s;
+  }
+}
+
 TEST(VertexHistory, TheCentreFollowsItsKnots) {
   test::Random random(6);
   const WorldLine line = randomWorldLine(random, kC_m_s, 0.1, 12, 0.5, 0.9);
