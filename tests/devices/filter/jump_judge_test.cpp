@@ -56,6 +56,16 @@ TEST(JumpJudge, AnOutlierIsDoubtedAndLeavesNoTrace) {
   EXPECT_LT(glm::length(head.filter.position_m()), 0.001);
 }
 
+// Samples that jump about are no motion of a head, even if one comes near the one before.
+TEST(JumpJudge, SamplesThatJumpAboutAreDoubted) {
+  Followed head;
+  head.stand({}, 120);
+  for (const double x_m : {0.2, -0.2, 0.2, 0.209})
+    EXPECT_EQ(head.take({x_m, 0.0, 0.0}), Jump::doubted) << x_m;
+  head.stand({}, 120);
+  EXPECT_LT(glm::length(head.filter.position_m()), 0.001);
+}
+
 TEST(JumpJudge, AStepOfTheTrackerIsShiftedByWhatItIs) {
   Followed head;
   head.stand({}, 120);
