@@ -13,6 +13,9 @@
 namespace carom {
 namespace {
 
+/// How bright pucks and bodies are as they are seen, as a share, while a lesson explains what ghosts show.
+constexpr float kSeenBehindGhosts = 0.35F;
+
 /// Returns whether the body always keeps this motion. If so, at any moment of the frame with this motion it
 /// is where it is seen.
 bool stays(const WorldLine& line, const Vec3& u) {
@@ -132,6 +135,8 @@ Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& reco
     ghosts.boardNow = view(boardNow_, moment, ViewTime::boardNow, Vec3(0.0));
   }
   if (views.myNow) ghosts.myNow = view(myNow_, eye.observation, ViewTime::myNow, record.boardFromRoom.u());
+  const bool showGhosts = !ghosts.boardNow.empty() || !ghosts.myNow.empty();
+  if (record.lesson.phase == LessonPhase::explains && showGhosts) ghosts.seenShare = kSeenBehindGhosts;
   return ghosts;
 }
 

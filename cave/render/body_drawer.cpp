@@ -147,6 +147,7 @@ void BodyDrawer::upload() {
 void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
                       const Switches& switches, const Ghosts& ghosts, const SoftLook& soft) {
   switches_ = switches;
+  seenShare_ = ghosts.seenShare;
   legs_.clear();
   soft_.look(headFromBoard, eye, switches, soft);
   takeLayer(ViewTime::seen, bodies, headFromBoard);
@@ -209,6 +210,10 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   uniforms.appears_m = range.appears_m;
   uniforms.colour = part.colour;
   uniforms.gloss = part.gloss;
+  if (!ghost && part.body != kRestingBody && part.paint != Paint::shadow) {
+    uniforms.colour *= seenShare_;
+    uniforms.gloss *= seenShare_;
+  }
   uniforms.tint = static_cast<float>(number % 3);
   // Bodies that go into each other until they turn have their tops in one plane: the later body's is seen.
   const float share = static_cast<float>(part.body) / static_cast<float>(scene_.bodyCount);
@@ -252,8 +257,8 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   PartUniforms uniforms;
   uniforms.drawnFromSeen = layers_[static_cast<std::size_t>(chosen.moment)].drawnFromSeen;
   uniforms.appears_m = model.told ? SeenRows::kUnseen_m : kAlways_m;
-  uniforms.colour = model.colour;
-  uniforms.gloss = kSoftGloss;
+  uniforms.colour = seenShare_ * model.colour;
+  uniforms.gloss = seenShare_ * kSoftGloss;
   const std::size_t body = model.told ? scene_.bodyCount + chosen.number : model.body;
   uniforms.tint = static_cast<float>(body % 3);
   const float share = static_cast<float>(body) / static_cast<float>(scene_.bodyCount);

@@ -103,6 +103,7 @@ class BodyDrawer {
   TiledSurfaces surfaces_;
   SoftDrawer soft_;
   Switches switches_;
+  float seenShare_ = 1.0F;  // as Ghosts
   EyeUniforms eye_;
   std::vector<GpuLeg> legs_;
   std::deque<Choice> choices_;  // since the last look the first `chosen_`; the others keep their memory
