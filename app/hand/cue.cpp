@@ -53,8 +53,8 @@ std::size_t numberOf(std::string_view device) {
 
 }  // namespace
 
-Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool frozen) {
-  if (frozen) return {{}, texts::message::kTimeStands};
+Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool frozen, bool isLesson) {
+  if (frozen) return {{}, isLesson ? texts::message::kInLesson : texts::message::kTimeStands};
   if (pointed.behind) return {{}, texts::message::kPuckBehind};
   if (!pointed.puck) return {{}, texts::message::kNoPuck};
   target_ = pointed.puck;
@@ -64,9 +64,9 @@ Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool f
   return {};
 }
 
-Cue::Outcome Cue::step(const HandInput& hand, const PickResult& pointed, bool frozen) {
+Cue::Outcome Cue::step(const HandInput& hand, const PickResult& pointed, bool frozen, bool isLesson) {
   const bool pressed = !hand.device.empty() && hand.held, wasPressed = std::exchange(pressed_, pressed);
-  if (!target_) return pressed && !wasPressed ? press(hand, pointed, frozen) : Outcome{};
+  if (!target_) return pressed && !wasPressed ? press(hand, pointed, frozen, isLesson) : Outcome{};
   if (hand.device != device_) {
     target_.reset();
     return {{}, texts::message::kDeviceLost.at(numberOf(device_))};

@@ -49,9 +49,9 @@ class Cue {
     texts::Saying refused;             ///< message to the player why the action was refused; empty if none
   };
 
-  /// Advances the cue by one frame. `frozen` means that the viewer's time is frozen, in which no stroke is
-  /// possible.
-  Outcome step(const HandInput& hand, const PickResult& pointed, bool frozen);
+  /// Advances the cue by one frame. `frozen` means that no stroke is possible: the viewer's time is frozen,
+  /// or a lesson shows its game, with `isLesson`.
+  Outcome step(const HandInput& hand, const PickResult& pointed, bool frozen, bool isLesson = false);
 
   /// Returns the puck that the cue is held for; it does not change until the cue is released.
   std::optional<std::size_t> target() const { return target_; }
@@ -59,7 +59,7 @@ class Cue {
   double d0_m() const { return d0_m_; }  ///< as HandInput
 
  private:
-  Outcome press(const HandInput& hand, const PickResult& pointed, bool frozen);
+  Outcome press(const HandInput& hand, const PickResult& pointed, bool frozen, bool isLesson);
 
   bool pressed_ = false;     ///< the button was down in the previous frame
   std::string_view device_;  ///< the device that holds the cue

@@ -54,19 +54,20 @@ TEST(Cue, IsHeldForOnePuckUntilItIsLetGo) {
 TEST(Cue, WhatCannotBeIsRefusedOnceAndInWords) {
   PickResult behind;
   behind.behind = true;
-  const auto refusalOf = [](const PickResult& pointed, bool frozen) {
+  const auto refusalOf = [](const PickResult& pointed, bool frozen, bool isLesson = false) {
     Cue cue;
-    cue.step(handOf("mouse", false), pointed, frozen);
-    const std::string words = cue.step(handOf("mouse", true), pointed, frozen).refused.english();
+    cue.step(handOf("mouse", false), pointed, frozen, isLesson);
+    const std::string words = cue.step(handOf("mouse", true), pointed, frozen, isLesson).refused.english();
     EXPECT_EQ(cue.step(handOf("mouse", true), on(0), false).refused.english(), "")
         << "a held button says nothing new";
     EXPECT_FALSE(cue.target()) << "nor does it take hold of what it is moved to";
     EXPECT_FALSE(cue.step(handOf("mouse", false), on(0), false).letGo);
     return words;
   };
-  EXPECT_EQ(refusalOf(kNothing, false), "Point at a puck, then drag back");
+  EXPECT_EQ(refusalOf(kNothing, false), "Point at the ringed puck, then drag back");
   EXPECT_EQ(refusalOf(behind, false), "The puck is behind your hand: point the other way");
-  EXPECT_EQ(refusalOf(on(0), true), "Nothing can be struck while time stands still or in a lesson");
+  EXPECT_EQ(refusalOf(on(0), true), "Nothing can be struck while time stands still");
+  EXPECT_EQ(refusalOf(on(0), true, true), "Pucks cannot be struck in a lesson. Enter: explanation");
 }
 
 TEST(Cue, ADeviceThatIsLostMidStrokeCancelsIt) {

@@ -510,12 +510,12 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
   EXPECT_EQ(saidOf(stillGame(), pulled(1, {0, 0, 0.2}, true)),
             "The puck is behind your hand: point the other way");
   EXPECT_EQ(saidOf(stillGame(), pulled(1, {0, 0, 0.2}), true),
-            "Nothing can be struck while time stands still or in a lesson");
+            "Nothing can be struck while time stands still");
   EXPECT_EQ(saidOf(stillGame(),
                    [](std::uint64_t frame, const ObserverView&, const Game&) {
                      return HandInput{"mouse", {0, 1.6, 0}, {0, 1, 0}, Eye::middle, frame > 5, Vec3(0.0)};
                    }),
-            "Point at a puck, then drag back");
+            "Point at the ringed puck, then drag back");
   EXPECT_EQ(saidOf(stillGame(),
                    [](std::uint64_t frame, const ObserverView&, const Game&) {
                      HandInput hand;
@@ -531,7 +531,7 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
              [](std::uint64_t frame, const ObserverView&, const Game&) {
                return HandInput{"mouse", {0, 1.6, 0}, {0, -0.6, -0.8}, Eye::middle, frame > 5, Vec3(0.0)};
              }),
-      "Point at a puck, then drag back");
+      "Point at the ringed puck, then drag back");
   // At 0.95 c a hand before the head is earlier on the board: at first, before the game began.
   Scenario early = passingBy();
   early.observer.facing_rad = std::numbers::pi;
