@@ -26,6 +26,7 @@
 #include "shaders/paint_panels.h"
 #include "shaders/paint_plain.h"
 #include "shaders/paint_puck.h"
+#include "shaders/paint_sectors.h"
 #include "shaders/paint_shadow.h"
 #include "shaders/paint_soft.h"
 #include "shaders/paint_wood.h"
@@ -56,6 +57,8 @@ std::string paintText(Paint paint) {
       return shaders::paint_soft;
     case Paint::bands:
       return shaders::paint_bands;
+    case Paint::sectors:
+      return shaders::paint_sectors;
     case Paint::shadow:
       return shaders::paint_shadow;
     case Paint::clock:

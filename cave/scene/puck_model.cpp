@@ -217,4 +217,11 @@ ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& whole, std::size_t bod
   return {body, mesh, Paint::plain, colour, 0.3F};
 }
 
+void paintSectors(ScenePart& part, int sectors, double radius_m) {
+  vtkDataArray& surface = *part.mesh->GetPointData()->GetArray("surface");
+  surface.FillComponent(0, sectors);
+  surface.FillComponent(1, radius_m);
+  part.paint = Paint::sectors;
+}
+
 }  // namespace carom

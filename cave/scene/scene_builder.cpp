@@ -144,6 +144,7 @@ BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& c
     BuiltBody built{shadowsOf(looks, body, tessellation),
                     static_cast<std::size_t>(mesh->GetNumberOfPoints())};
     built.parts.push_back(meshPart(mesh, looks.radius_m, body, colour, tessellation, looks.meshPlace));
+    if (looks.sectors > 0) paintSectors(built.parts.back(), looks.sectors, looks.radius_m);
     return built;
   }
   if (!looks.outline_m.empty()) {
@@ -165,7 +166,7 @@ class BuiltBodies {
   const BuiltBody& of(const BodyLooks& looks, std::size_t body, const glm::vec3& colour, const Build& build) {
     const auto [found, isNew] =
         built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m, outlineOf(looks),
-                                      looks.meshPlace ? looks.meshPlace->scale : 0.0));
+                                      looks.meshPlace ? looks.meshPlace->scale : 0.0, looks.sectors));
     BuiltBody& like = found->second;
     if (isNew) {
       like = build();
@@ -187,7 +188,8 @@ class BuiltBodies {
     return corners;
   }
 
-  std::map<std::tuple<std::string, double, double, std::vector<std::pair<double, double>>, double>, BuiltBody>
+  std::map<std::tuple<std::string, double, double, std::vector<std::pair<double, double>>, double, int>,
+           BuiltBody>
       built_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "app/files/scenario.h"
 #include "app/operator/wall_commands.h"
+#include "cave/record/effects.h"
 #include "cave/texts/texts.h"
 #include "places.h"
 
@@ -64,6 +65,19 @@ TEST(WallCommands, TheButtonOfSpacetimeTurnsItsViewOnAndOff) {
   EXPECT_EQ(commandOf(button, settings), Command(SetView{&TimeViews::spacetime, false}));
   for (const char* lesson : {"two-cushions", "cause", "twins", "train-in-tunnel"})
     EXPECT_TRUE(readScenario(fileOfGame(lesson)).lesson->plan.offersSpacetime) << lesson;
+}
+
+TEST(WallCommands, TheButtonOfAnEffectTurnsItOffAndOn) {
+  OperatorSettings settings;
+  for (const NamedSwitch& effect : kNamedSwitches) {
+    const WallAction button{WallAction::Kind::effect, numberOf(effect.value)};
+    for (const bool on : {false, true}) {
+      settings.switches.*effect.value = on ? 0 : 1;
+      EXPECT_EQ(commandOf(button, settings), Command(SetSwitch{effect.value, false, on})) << effect.name;
+    }
+  }
+  EXPECT_EQ(readScenario(fileOfGame("rolling-wheel")).lesson->plan.effects,
+            (std::vector<std::uint8_t>{numberOf(&Switches::retardation), numberOf(&Switches::contraction)}));
 }
 
 TEST(VisitorChoices, TheFirstMinuteOffersTheChoices) {
