@@ -145,9 +145,11 @@ void BodyDrawer::upload() {
 }
 
 void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-                      const Switches& switches, const Ghosts& ghosts, const SoftLook& soft) {
+                      const Switches& switches, const Ghosts& ghosts, const SoftLook& soft,
+                      std::span<const HotBlows> heat) {
   switches_ = switches;
   seenShare_ = ghosts.seenShare;
+  heat_ = heat;
   legs_.clear();
   soft_.look(headFromBoard, eye, switches, soft);
   takeLayer(ViewTime::seen, bodies, headFromBoard);
@@ -220,7 +222,20 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   uniforms.nearer = ghost || part.paint == Paint::shadow ? kDecalNearer : kBodiesNearer * share;
   uniforms.ghostColour = linearOf(moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
   uniforms.hatch_m = ghostStripes_m(scene_.reach_m.empty() ? 1.0 : scene_.reach_m[part.body]);
+  if (part.body < heat_.size()) uniforms.heat = heat_[part.body];
+  uniforms.cooling_m = eye_.lightSpeed_m_s * static_cast<float>(kCooling_s);
   return uniforms;
+}
+
+/// Whether its matter may glow visibly. Ghosts are glass, and what tells strain or heat by its colour does
+/// not glow.
+bool BodyDrawer::isHot(const ChosenPart& chosen) const {
+  if (chosen.moment != ViewTime::seen) return false;
+  if (chosen.sort == ChosenPart::Sort::softShadow) return false;
+  if (chosen.sort == ChosenPart::Sort::soft)
+    return soft_.told() == Told::nothing && soft_.bound(chosen.moment, chosen.number).hottest >= kLeastGlow;
+  const ScenePart& part = scene_.parts[chosen.number];
+  return part.paint != Paint::shadow && part.body < heat_.size() && heat_[part.body].heats != glm::vec4(0.0F);
 }
 
 /// With `keepsAlpha`, blending leaves the stored alpha: a shadow has no edge
@@ -271,7 +286,8 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   const bool isPlain = ghost || model.told != nullptr;
   const Paint paint = isPlain ? Paint::plain : isShadow ? Paint::shadow : Paint::soft;
   BodyProgram* program = nullptr;
-  programFor({Legs::followed, paint, switches_, chosen.moment, !scene_.followed.empty()}, program);
+  programFor({Legs::followed, paint, switches_, chosen.moment, !scene_.followed.empty(), isHot(chosen)},
+             program);
   use(program->name());
   program->set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(isShadow || ghost, isShadow, !isShadow, model.told != nullptr);
@@ -291,8 +307,9 @@ void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
                         : legsOf({uniforms.legs, static_cast<std::size_t>(uniforms.legCount)}, part.isRound);
   const Paint paint = ghost ? Paint::plain : part.paint;
   Layer& layer = layers_[static_cast<std::size_t>(chosen.moment)];
-  BodyProgram& program = programFor({legs, paint, switches_, chosen.moment, !scene_.followed.empty()},
-                                    layer.programs[chosen.number]);
+  BodyProgram& program =
+      programFor({legs, paint, switches_, chosen.moment, !scene_.followed.empty(), isHot(chosen)},
+                 layer.programs[chosen.number]);
   use(program.name());
   program.set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(decal || ghost, decal && !ghost, !decal,

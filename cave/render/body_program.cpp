@@ -25,18 +25,17 @@ void send(int at, int value) { glUniform1i(at, value); }
 void send(int at, const std::array<glm::vec3, 3>& values) {
   glUniform3fv(at, 3, glm::value_ptr(values.front()));
 }
+void send(int at, const HotBlows::Places& places) {
+  glUniform4fv(at, static_cast<GLsizei>(places.size()), glm::value_ptr(places.front()));
+}
 void send(int at, const LegUniform& leg) { glUniform4fv(at, kLegTexels, leg.data()); }
 
 }  // namespace
 
 BodyProgram::BodyProgram(const BodyVariant& variant)
     : variant_(variant),
-      program_(makeProgram(
-          "body",
-          bodyVertexShader(variant.legs, variant.paint, variant.switches, variant.moment,
-                           variant.followsLamps),
-          surfaceFragmentShader(variant.paint, variant.switches, variant.moment, variant.followsLamps),
-          kVertexInputs)) {
+      program_(
+          makeProgram("body", bodyVertexShader(variant), surfaceFragmentShader(variant), kVertexInputs)) {
   const auto place = [this](auto& uniform, const char* name) {
     uniform.at = glGetUniformLocation(program_, name);
   };
@@ -66,6 +65,9 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   place(has_.hatch_m, "hatch_m");
   place(has_.middleMotion, "middleMotion");
   place(has_.telling, "telling");
+  place(has_.blows, "blows");
+  place(has_.blowHeats, "blowHeats");
+  place(has_.cooling_m, "cooling_m");
   glUseProgram(program_);
   setUniform(program_, "legTexels", kLegUnit);
   setUniform(program_, "colourTexels", kColourUnit);
@@ -113,6 +115,9 @@ void BodyProgram::set(const PartUniforms& part) {
   has_.hatch_m.set(part.hatch_m);
   has_.middleMotion.set(part.middleMotion);
   has_.telling.set(part.telling);
+  has_.blows.set(part.heat.fromEye_m);
+  has_.blowHeats.set(part.heat.heats);
+  has_.cooling_m.set(part.cooling_m);
 }
 
 void BodyProgram::set(const EyeUniforms& eye, const glm::mat4& clipFromDrawn, const PartUniforms& part) {

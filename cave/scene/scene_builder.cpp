@@ -263,6 +263,7 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
                  std::span<const BodyLooks> told, const Hall& hall, const Tessellation& tessellation) {
   Scene scene;
   scene.bodyCount = 1 + pucks.size() + told.size();
+  for (const Puck& puck : setup.pucks) scene.coldMasses_kg.push_back(puck.mass_kg);
   const glm::dvec2 table_m =
       setup.board ? glm::dvec2(setup.board->length_m, setup.board->width_m) : glm::dvec2(kOpenPlane_m);
   Hall around = hall;

@@ -4,9 +4,9 @@
 // The program is compiled with these macros. True or false are the switches RETARDED, CONTRACTED, ABERRATED,
 // COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined
 // or not are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it
-// has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; GHOST,
-// the body is shown at one moment and is not lit; LAMPS, the only light is that of lamps that go on, as it
-// arrives; FOLLOWED, its points move by themselves and have been solved for.
+// has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; HOT, its
+// matter glows by its heat; GHOST, the body is shown at one moment and is not lit; LAMPS, the only light is
+// that of lamps that go on, as it arrives; FOLLOWED, its points move by themselves and have been solved for.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
@@ -55,6 +55,9 @@ out LIGHT light;      // received by the surface: times its colour is what the e
 #endif
 #ifdef GLOWS
 out LIGHT glow;       // the same for light of its own
+#endif
+#ifdef HOT
+out vec3 heatGlow;    // what its heat sends to the eye (linear)
 #endif
 #if !defined(MATT) && !defined(LAMPS)
 out SHINE shine;      // mirrored to the eye by its varnish
@@ -202,6 +205,32 @@ vec3 onBoardFromEye(Sight sight) {
 #endif
 }
 
+#ifdef HOT
+#ifndef FOLLOWED
+// The collisions that heated the body (cave/render/hot_bodies.h): c (t − t_o) and the place from the eye, on
+// the board; the heat that each brought, over m c²; c times the own time in which 1/e of it is left.
+uniform vec4 blows[4];
+uniform vec4 blowHeats;
+uniform float cooling_m;
+#endif
+
+/// The heat of the matter that is seen here, over m c².
+float heatAt(vec3 fromEye_m) {
+#ifdef FOLLOWED
+  return motionMC.w;
+#else
+  float heat = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    float since_m = boardTime_m - blows[i].x;
+    vec3 way_m = fromEye_m - blows[i].yzw;
+    float square = since_m * since_m - dot(way_m, way_m);
+    if (since_m > 0.0 && square > 0.0) heat += blowHeats[i] * exp(-sqrt(square) / cooling_m);
+  }
+  return heat;
+#endif
+}
+#endif
+
 /// Follows the light from hall and lamps to the eye.
 void lightUp(Sight sight) {
   vec3 fromEye_m = onBoardFromEye(sight);
@@ -276,6 +305,9 @@ void lightUp(Sight sight) {
 #endif
 #elif defined(COLOUR)
   light = seenColour(0, received, toHead);
+#endif
+#ifdef HOT
+  heatGlow = onFilm(seenGlow(heatAt(fromEye_m), toHead, COLOURED, SEARCHLIGHT), eyeExposure.x);
 #endif
 #ifdef GLOWS
 #ifdef COLOUR
@@ -405,6 +437,9 @@ void main() {
   float bright = eyeExposure.x * max(dot(light * partColour, vec3(0.2126, 0.7152, 0.0722)), 0.0);
 #ifdef GLOWS
   bright += eyeExposure.x * dot(glow * partColour, vec3(0.2126, 0.7152, 0.0722));
+#endif
+#ifdef HOT
+  bright += eyeExposure.x * max(dot(heatGlow, vec3(0.2126, 0.7152, 0.0722)), 0.0);
 #endif
   tone = (tint + 0.6 * bright / (bright + 0.2)) / 2.6;  // those of different tints never agree
 #endif

@@ -14,6 +14,7 @@
 #include "cave/display/window.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/render/body_shaders.h"
+#include "cave/render/hot_bodies.h"
 #include "engine/colour/doppler_colour.h"
 #include "engine/colour_reference.h"
 #include "engine/light/light_cone.h"
@@ -35,6 +36,8 @@ struct Case {
   Event eye;
   Lorentz headFromBoard;
   glm::vec4 share{1.0F};  ///< of each lamp's light and of the hall's, that reaches the vertex
+  std::array<Event, 4> blows{};
+  glm::vec4 heats{0.0F};
 };
 
 Case randomCase(test::Random& random, int bounces, double maxBeta) {
@@ -50,20 +53,21 @@ struct Lit {
   glm::dmat3 light{0.0};
   glm::dmat3 glow{0.0};
   Vec3 shine{0.0};
+  Vec3 heatGlow{0.0};  ///< of a program for hot bodies
 };
 
 /// The program that draws a lamp's surface (whose `glow` is handed on, too) in one state of the switches.
 class BodyProgram {
  public:
-  BodyProgram(Legs legs, const Switches& switches) : switches_(switches) {
-    const std::string text = bodyVertexShader(legs, Paint::lamp, switches);
+  BodyProgram(Legs legs, const Switches& switches, bool isHot = false) : switches_(switches) {
+    const std::string text = bodyVertexShader({legs, Paint::lamp, switches, ViewTime::seen, false, isHot});
     const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
     const char* source = text.c_str();
     glShaderSource(shader, 1, &source, nullptr);
     glCompileShader(shader);
     glAttachShader(program_, shader);
-    const std::array<const char*, 3> outputs{"light", "glow", "shine"};
-    glTransformFeedbackVaryings(program_, 3, outputs.data(), GL_INTERLEAVED_ATTRIBS);
+    const std::array<const char*, 4> outputs{"light", "glow", "shine", "heatGlow"};
+    glTransformFeedbackVaryings(program_, isHot ? 4 : 3, outputs.data(), GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program_);
     std::string log(8192, '\0');
     glGetShaderInfoLog(shader, 8192, nullptr, log.data());
@@ -115,6 +119,13 @@ class BodyProgram {
     glUniform3fv(at("eyeOnBoard_m"), 1, glm::value_ptr(eye_m));
     glUniform3fv(at("lamps_m"), 3, glm::value_ptr(lamps_m[0]));
     glUniform1f(at("gloss"), static_cast<float>(kGloss));
+    std::array<glm::vec4, 4> blows;
+    for (std::size_t i = 0; i < 4; ++i)
+      blows[i] = glm::vec4(static_cast<float>(kC_m_s * (c.blows[i].t_s - c.eye.t_s)),
+                           glm::vec3(c.blows[i].r_m - c.eye.r_m));
+    glUniform4fv(at("blows"), 4, glm::value_ptr(blows[0]));
+    glUniform4fv(at("blowHeats"), 1, glm::value_ptr(c.heats));
+    glUniform1f(at("cooling_m"), static_cast<float>(kC_m_s * kCooling_s));
   }
 
   Lit drawOne(const Case& c) {
@@ -131,7 +142,7 @@ class BodyProgram {
     attribute("vertexMC", 0);
     attribute("normalMC", sizeof(glm::vec3));
     glVertexAttrib4fv(static_cast<GLuint>(glGetAttribLocation(program_, "litMC")), glm::value_ptr(c.share));
-    std::array<float, 21> out{};
+    std::array<float, 24> out{};
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers_[1]);
     glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, sizeof out, nullptr, GL_STREAM_READ);
     glEnable(GL_RASTERIZER_DISCARD);
@@ -143,12 +154,12 @@ class BodyProgram {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     if (switches_.colour) {
       return {glm::dmat3(glm::make_mat3(&out[0])), glm::dmat3(glm::make_mat3(&out[9])),
-              Vec3(glm::make_vec3(&out[18]))};
+              Vec3(glm::make_vec3(&out[18])), Vec3(glm::make_vec3(&out[21]))};
     }
     const auto diagonal = [&](std::size_t i) {
       return glm::dmat3(out[i], 0, 0, 0, out[i + 1], 0, 0, 0, out[i + 2]);
     };
-    return {diagonal(0), diagonal(3), Vec3(out[6])};
+    return {diagonal(0), diagonal(3), Vec3(out[6]), Vec3(glm::make_vec3(&out[7]))};
   }
 
   Switches switches_;
@@ -246,6 +257,57 @@ TEST(BodyShader, LightIsFollowedFromTheLampsToTheHead) {
       ASSERT_LT(glm::length(lit.shine - expected.shine), 0.02 * (brightest + glm::length(expected.shine)));
     }
   }
+}
+
+/// What the matter of a vertex sends by its heat: of each blow the news must have come, and the rest cools
+/// for the own time of matter that went straight from there. Planck's law, wavelength by wavelength.
+Vec3 glowByTheBook(const Case& c, const Switches& s) {
+  const Emission emission = carom::emission(c.line, c.offset_m, c.eye, c.headFromBoard).value();
+  double heat = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    const Displacement way = emission.event - c.blows[static_cast<std::size_t>(i)];
+    const double beta = glm::length(way.dr_m) / (kC_m_s * way.dt_s);
+    if (!(way.dt_s > 0.0 && beta < 1.0)) continue;
+    heat += c.heats[i] * std::exp(-way.dt_s * std::sqrt(1.0 - beta * beta) / kCooling_s);
+  }
+  const double temperature_K = std::min(800.0 + 2400.0 * heat, 6500.0);
+  const double d = s.colour ? emission.doppler : 1.0;
+  double reference_cd_m2 = 0.0;
+  for (double wavelength_nm = 360.0; wavelength_nm <= 830.0; wavelength_nm += 1.0)
+    reference_cd_m2 += 683.002 * matchingFunctions(wavelength_nm).y *
+                       blackBodyRadiance(wavelength_nm, kReferenceTemperature_K);
+  const double power = std::pow(emission.doppler, s.searchlight ? 4.0 : 0.0) / std::pow(d, 4.0);
+  return reference_cd_m2 / 2000.0 * power * test::seenOf([&](double wavelength_nm) {
+           return std::pow(d, 5) * blackBodyRadiance(d * wavelength_nm, temperature_K);
+         });
+}
+
+// Blows before and after the vertex's emission, some out of reach of their news.
+TEST(BodyShader, HotMatterGlowsAsABlackBodyOnceTheNewsOfABlowHasCome) {
+  Graphics graphics;
+  int bright = 0, dark = 0;
+  for (const Switches switches : {Switches{}, Switches{1, 1, 1, 1, 1}, Switches{1, 1, 1, 1, 0},
+                                  Switches{1, 1, 1, 0, 1}, Switches{1, 1, 0, 0, 0}}) {
+    BodyProgram program(Legs::one, switches, true);
+    test::Random random(43);
+    for (int i = 0; i < 200; ++i) {
+      Case c = randomCase(random, 0, 0.6);
+      const Event at = carom::emission(c.line, c.offset_m, c.eye, c.headFromBoard).value().event;
+      for (int k = 0; k < 4; ++k) {
+        c.blows[static_cast<std::size_t>(k)] = {at.t_s - random.in(-0.3, 4.0), at.r_m + random.inBox(1.5)};
+        c.heats[k] = static_cast<float>(random.in(0.0, 0.8));
+      }
+      const Vec3 seen = program.run(c).heatGlow, expected = glowByTheBook(c, switches);
+      const double scale = 1.0 / std::max({expected.x, expected.y, expected.z, 1e-4});
+      ASSERT_LT(test::screenSteps(seen * scale, expected * scale), kScreenSteps)
+          << "case " << i << ", colour " << +switches.colour << ", searchlight " << +switches.searchlight
+          << ": " << seen.x << ' ' << seen.y << ' ' << seen.z << ", expected " << expected.x << ' '
+          << expected.y << ' ' << expected.z;
+      (expected.x > 1.0 ? bright : dark) += 1;
+    }
+  }
+  EXPECT_GT(bright, 300);
+  EXPECT_GT(dark, 20);
 }
 
 // Through bounces: D⁴, with the Doppler factor that the engine's own solve for meshes has.
