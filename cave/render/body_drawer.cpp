@@ -20,7 +20,7 @@ namespace {
 constexpr float kAlways_m = -1e30F;       // means that the body has always existed
 constexpr float kDecalNearer = 0.002F;    // fraction of the distance by which a decal is drawn nearer
 constexpr float kBodiesNearer = 0.0005F;  // the same of the last body
-constexpr float kSoftGloss = 0.3F;
+constexpr float kSoftRoughness = 0.25F;
 constexpr double kPointReach_m = 0.03;  // stands for that of a told body
 constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
 
@@ -211,11 +211,8 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   uniforms.legCount = range.count;
   uniforms.appears_m = range.appears_m;
   uniforms.colour = part.colour;
-  uniforms.gloss = part.gloss;
-  if (!ghost && part.body != kRestingBody && part.paint != Paint::shadow) {
-    uniforms.colour *= seenShare_;
-    uniforms.gloss *= seenShare_;
-  }
+  uniforms.roughness = part.roughness;
+  if (!ghost && part.body != kRestingBody && part.paint != Paint::shadow) uniforms.seenShare = seenShare_;
   uniforms.tint = static_cast<float>(number % 3);
   // Bodies that go into each other until they turn have their tops in one plane: the later body's is seen.
   const float share = static_cast<float>(part.body) / static_cast<float>(scene_.bodyCount);
@@ -272,8 +269,9 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   PartUniforms uniforms;
   uniforms.drawnFromSeen = layers_[static_cast<std::size_t>(chosen.moment)].drawnFromSeen;
   uniforms.appears_m = model.told ? SeenRows::kUnseen_m : kAlways_m;
-  uniforms.colour = seenShare_ * model.colour;
-  uniforms.gloss = seenShare_ * kSoftGloss;
+  uniforms.colour = model.colour;
+  uniforms.roughness = kSoftRoughness;
+  if (!ghost && !isShadow) uniforms.seenShare = seenShare_;
   const std::size_t body = model.told ? scene_.bodyCount + chosen.number : model.body;
   uniforms.tint = static_cast<float>(body % 3);
   const float share = static_cast<float>(body) / static_cast<float>(scene_.bodyCount);

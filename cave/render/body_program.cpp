@@ -58,7 +58,8 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   place(has_.legCount, "legCount");
   place(has_.appears_m, "appears_m");
   place(has_.colour, "partColour");
-  place(has_.gloss, "gloss");
+  place(has_.roughness, "roughness");
+  place(has_.seenShare, "seenShare");
   place(has_.tint, "tint");
   place(has_.nearer, "nearer");
   place(has_.ghostColour, "ghostColour");
@@ -108,7 +109,8 @@ void BodyProgram::set(const PartUniforms& part) {
   has_.legCount.set(part.legCount);
   has_.appears_m.set(part.appears_m);
   has_.colour.set(part.colour);
-  has_.gloss.set(part.gloss);
+  has_.roughness.set(part.roughness);
+  has_.seenShare.set(part.seenShare);
   has_.tint.set(part.tint);
   has_.nearer.set(part.nearer);
   has_.ghostColour.set(part.ghostColour);

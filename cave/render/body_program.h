@@ -50,8 +50,9 @@ struct PartUniforms {
   int legCount = 0;
   float appears_m = 0.0F;
   glm::vec3 colour{0.0F};
-  float gloss = 0.0F;
-  float tint = 0.0F;  ///< sets its tone off from other parts' (cave/render/edge_pixels.h)
+  float roughness = 0.0F;
+  float seenShare = 1.0F;  ///< of its light, which the picture shows
+  float tint = 0.0F;       ///< sets its tone off from other parts' (cave/render/edge_pixels.h)
   float nearer = 0.0F;
   glm::vec3 ghostColour{0.0F};
   float hatch_m = 1.0F;
@@ -99,7 +100,8 @@ class BodyProgram {
     Uniform<std::array<glm::vec3, 3>> lamps_m, lampsFromEye_m, lampLights;
     Uniform<LegUniform> onlyLeg;
     Uniform<int> observedWhole_s, firstLeg, legCount, telling;
-    Uniform<float> observedPart_s, lightSpeed_m_s, appears_m, gloss, tint, nearer, hatch_m, cooling_m;
+    Uniform<float> observedPart_s, lightSpeed_m_s, appears_m, roughness, seenShare, tint, nearer, hatch_m,
+        cooling_m;
   };
   BodyVariant variant_;
   GlProgram program_;

@@ -69,7 +69,7 @@ std::string paintText(Paint paint) {
   return shaders::paint_plain;
 }
 
-/// Returns whether this paint has no varnish, whatever the gloss of its part.
+/// Returns whether this paint has no varnish, whatever the roughness of its part.
 bool isMatt(Paint paint) { return paint == Paint::cloth || paint == Paint::panels || paint == Paint::shadow; }
 
 /// Returns the definitions that differ from one program to another.

@@ -49,7 +49,7 @@ struct ScenePart {
   vtkSmartPointer<vtkPolyData> mesh;
   Paint paint = Paint::plain;
   glm::vec3 colour{1.0F};              ///< linear light, the share reflected
-  float gloss = 0.0F;                  ///< strength of the highlight; cloth and panels have none
+  float roughness = 0.0F;              ///< Trowbridge and Reitz's α of its varnish; 0: it has none
   bool isRound = false;                ///< looks the same however the body has turned
   std::vector<CoarserMesh> coarser{};  ///< for eyes farther and farther away
 };

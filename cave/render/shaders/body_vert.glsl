@@ -30,10 +30,11 @@ uniform mat4 boardFromDrawn;
 uniform vec4 headOnBoard;      // γ, γβ
 uniform vec3 eyeOnBoard_m;     // where the eye receives the light
 uniform vec3 lamps_m[3];       // at rest on the board
-uniform float gloss;
-uniform vec3 partColour;     // linear, the share reflected
+uniform float roughness;       // of the varnish; 0: there is none
+uniform vec3 partColour;       // linear, the share reflected
+uniform float seenShare;       // of its light, which the picture shows
 uniform float tint;            // 0, 1 or 2, of this part
-uniform vec3 eyeExposure;    // engine/colour/exposure.h
+uniform vec3 eyeExposure;      // engine/colour/exposure.h
 uniform float nearer;          // share by which decals are drawn nearer than they are
 
 out vec3 place;       // vertexMC, for painting
@@ -231,6 +232,28 @@ float heatAt(vec3 fromEye_m) {
 }
 #endif
 
+#ifndef MATT
+/// The share of a lamp's light that varnish mirrors to the eye, over that which a white matt surface facing
+/// the lamp reflects there: π D F G/(4 (n·e)), with unit vectors n, the normal, l to the lamp, e to the eye,
+/// h = (l + e)/|l + e|, all in the rest frame of the surface, and
+///   D = α²/(π ((n·h)² (α² − 1) + 1)²)       facets (Trowbridge and Reitz, JOSA 65, 531 (1975)),
+///   G = G₁(n·l) G₁(n·e),  G₁(x) = 2x/(x + sqrt(α² + (1 − α²) x²))      lamp and eye see this share
+///                                            (Walter and others, EGSR 2007),
+///   F = F₀ + (1 − F₀) (1 − e·h)⁵,  F₀ = 0.04      each mirrors this much (Schlick 1994), as lacquer does.
+float highlight(vec3 normal, vec3 toLamp, vec3 toEye) {
+  if (roughness <= 0.0) return 0.0;
+  vec3 middle = normalize(toLamp + toEye);
+  float nl = dot(normal, toLamp), ne = dot(normal, toEye), nh = dot(normal, middle);
+  if (nl <= 0.0 || ne <= 0.0) return 0.0;
+  float square = roughness * roughness;
+  float facets = nh * nh * (square - 1.0) + 1.0;
+  float grazing = 1.0 - dot(toEye, middle), grazing2 = grazing * grazing;
+  float mirrored = 0.04 + 0.96 * grazing2 * grazing2 * grazing;
+  float inSight = (nl + sqrt(square + (1.0 - square) * nl * nl)) * (ne + sqrt(square + (1.0 - square) * ne * ne));
+  return mirrored * square / (facets * facets) * nl / inSight;
+}
+#endif
+
 /// Follows the light from hall and lamps to the eye.
 void lightUp(Sight sight) {
   vec3 fromEye_m = onBoardFromEye(sight);
@@ -238,7 +261,7 @@ void lightUp(Sight sight) {
   vec3 towardsEye = normalize(-fromEye_m);
   float toHead = dopplerInto(headOnBoard.x, headOnBoard.yzw, towardsEye) /
                  dopplerIntoVertex(sight, towardsEye);
-  float headPower = radiancePower(toHead, COLOURED, SEARCHLIGHT);
+  float headPower = seenShare * radiancePower(toHead, COLOURED, SEARCHLIGHT);
   vec3 toEye = inVertexFrame(sight, towardsEye);
   vec3 normal = normalInVertexFrame(sight);
 
@@ -268,8 +291,7 @@ void lightUp(Sight sight) {
     float strength = litMC[i] * lampStrength(ray) * headPower * lampPower(lampToBody, COLOURED, SEARCHLIGHT);
     float facing = max(dot(normal, toLamp), 0.0);
 #ifndef MATT
-    float mirrored = max(dot(normal, normalize(toLamp + toEye)), 0.0);
-    float varnish = facing > 0.0 ? gloss * strength * pow(mirrored, 60.0) : 0.0;
+    float varnish = facing > 0.0 ? strength * highlight(normal, toLamp, toEye) : 0.0;
 #endif
 #ifdef LAMPS
 #ifdef COLOUR
@@ -307,7 +329,7 @@ void lightUp(Sight sight) {
   light = seenColour(0, received, toHead);
 #endif
 #ifdef HOT
-  heatGlow = onFilm(seenGlow(heatAt(fromEye_m), toHead, COLOURED, SEARCHLIGHT), eyeExposure.x);
+  heatGlow = seenShare * onFilm(seenGlow(heatAt(fromEye_m), toHead, COLOURED, SEARCHLIGHT), eyeExposure.x);
 #endif
 #ifdef GLOWS
 #ifdef COLOUR

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
+#include <numbers>
 #include <vector>
 
 #include "cave/display/window.h"
@@ -26,7 +27,7 @@ namespace {
 
 constexpr double kC_m_s = 1.42;
 constexpr std::array<Vec3, 3> kLamps_m{{{-1.0, 0.1, 1.4}, {0.1, 0.2, 1.5}, {0.9, -0.1, 1.3}}};
-constexpr double kGloss = 0.5;
+constexpr double kRoughness = 0.3;
 
 /// One vertex of one body, seen by one eye.
 struct Case {
@@ -118,7 +119,7 @@ class BodyProgram {
                 static_cast<float>(u.y), static_cast<float>(u.z));
     glUniform3fv(at("eyeOnBoard_m"), 1, glm::value_ptr(eye_m));
     glUniform3fv(at("lamps_m"), 3, glm::value_ptr(lamps_m[0]));
-    glUniform1f(at("gloss"), static_cast<float>(kGloss));
+    glUniform1f(at("roughness"), static_cast<float>(kRoughness));
     std::array<glm::vec4, 4> blows;
     for (std::size_t i = 0; i < 4; ++i)
       blows[i] = glm::vec4(static_cast<float>(kC_m_s * (c.blows[i].t_s - c.eye.t_s)),
@@ -190,6 +191,40 @@ Ray intoBody(const Vec3& way, const Vec3& u) {
   return {glm::normalize(light.dr_m), light.dt_s / glm::length(way)};
 }
 
+/// The share of slopes (x, y) = tan θ of the facets of a rough surface per unit of slopes, for Trowbridge and
+/// Reitz: 1/(π α² (1 + tan² θ/α²)²).
+double slopesShare(double tangent2) {
+  const double a2 = kRoughness * kRoughness;
+  return 1.0 / (std::numbers::pi * a2 * std::pow(1.0 + tangent2 / a2, 2));
+}
+
+/// The share of facets that the others leave in sight from this angle to the normal, 1/(1 + Λ) (Smith 1967):
+/// Λ is the mean height by which facets rise towards the eye over its slope, here summed over slopes m,
+///   Λ(μ) = 1/μ ∫_μ^∞ (m − μ) P(m) dm,   μ = cot θ,
+/// with P the share of slopes along one direction: α²/(2 (α² + m²)^(3/2)).
+double inSight(double cosine) {
+  if (cosine >= 1.0) return 1.0;
+  const double mu = cosine / std::sqrt(1.0 - cosine * cosine), a2 = kRoughness * kRoughness;
+  double sum = 0.0;
+  const double step = 1e-2;
+  for (double x = 0.5 * step; x < 12.0; x += step) {  // m = μ + e^x − 1
+    const double rise = std::exp(x) - 1.0, m = mu + rise;
+    sum += rise * a2 / (2.0 * std::pow(a2 + m * m, 1.5)) * std::exp(x) * step;
+  }
+  return 1.0 / (1.0 + sum / mu);
+}
+
+/// Highlights of varnish as facets that mirror: their share by slopes, D = P(slopes)/cos⁴ θ, by how many of
+/// them lamp and eye see, and what each mirrors.
+double highlightByTheBook(const Vec3& normal, const Vec3& toLamp, const Vec3& toEye) {
+  const Vec3 facet = glm::normalize(toLamp + toEye);
+  const double toFacet = glm::dot(normal, facet), nl = glm::dot(normal, toLamp), ne = glm::dot(normal, toEye);
+  if (nl <= 0.0 || ne <= 0.0) return 0.0;
+  const double facets = slopesShare(1.0 / (toFacet * toFacet) - 1.0) / std::pow(toFacet, 4);
+  const double mirrored = 0.04 + 0.96 * std::pow(1.0 - glm::dot(toEye, facet), 5);
+  return std::numbers::pi * facets * mirrored * inSight(nl) * inSight(ne) / (4.0 * ne);
+}
+
 constexpr double kLampHeat = 0.848, kLampPower = 1.88;  // 5512 K, as bright as shaders/body_vert.glsl has it
 
 /// For a body that does not turn.
@@ -215,8 +250,7 @@ Lit litByTheBook(const Case& c, const Switches& s) {
     const double facing = std::max(glm::dot(c.normal, toLamp), 0.0);
     lit.light += facing * sent;
     if (facing == 0.0) continue;
-    const double mirrored = std::max(glm::dot(c.normal, glm::normalize(toLamp + toEye)), 0.0);
-    lit.shine += kGloss * std::pow(mirrored, 60.0) * (sent * Vec3(1.0));
+    lit.shine += highlightByTheBook(c.normal, toLamp, toEye) * (sent * Vec3(1.0));
   }
   if (!s.colour) lit.shine = Vec3(lit.shine.x);  // the fragment shader gives it the lamps' colour
   return lit;
