@@ -6,6 +6,7 @@
 //   exp(−s/(c T)),   s² = c² (t − t_blow)² − |r − r_blow|²,   T = kCooling_s
 // is left in matter at (t, r), and none is there before the news of the blow, which travels at light speed.
 // The interval s is the own time of matter that went straight from the blow to there.
+// Theory: app/doc/physics.md, Kick.
 
 #include <array>
 #include <cstdint>

@@ -7,6 +7,7 @@
 // has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; HOT, its
 // matter glows by its heat; GHOST, the body is shown at one moment and is not lit; LAMPS, the only light is
 // that of lamps that go on, as it arrives; FOLLOWED, its points move by themselves and have been solved for.
+// Theory: app/doc/physics.md, Colour.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
