@@ -28,6 +28,7 @@ namespace {
 constexpr double kC_m_s = 1.42;
 constexpr std::array<Vec3, 3> kLamps_m{{{-1.0, 0.1, 1.4}, {0.1, 0.2, 1.5}, {0.9, -0.1, 1.3}}};
 constexpr double kRoughness = 0.3;
+constexpr float kSeenShare = 0.8F;  // of all light; results are given for 1
 
 /// One vertex of one body, seen by one eye.
 struct Case {
@@ -120,6 +121,7 @@ class BodyProgram {
     glUniform3fv(at("eyeOnBoard_m"), 1, glm::value_ptr(eye_m));
     glUniform3fv(at("lamps_m"), 3, glm::value_ptr(lamps_m[0]));
     glUniform1f(at("roughness"), static_cast<float>(kRoughness));
+    glUniform1f(at("seenShare"), kSeenShare);
     std::array<glm::vec4, 4> blows;
     for (std::size_t i = 0; i < 4; ++i)
       blows[i] = glm::vec4(static_cast<float>(kC_m_s * (c.blows[i].t_s - c.eye.t_s)),
@@ -153,6 +155,7 @@ class BodyProgram {
     glDisable(GL_RASTERIZER_DISCARD);
     glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, sizeof out, out.data());
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    for (float& value : out) value /= kSeenShare;
     if (switches_.colour) {
       return {glm::dmat3(glm::make_mat3(&out[0])), glm::dmat3(glm::make_mat3(&out[9])),
               Vec3(glm::make_vec3(&out[18])), Vec3(glm::make_vec3(&out[21]))};
