@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/stage/lesson_check.h"
+#include "engine/colour/doppler_colour.h"
 
 namespace carom {
 namespace {
@@ -247,9 +248,11 @@ std::string gammaSeen(const LessonCheck& check, const std::string& body) {
   return fmt::format("γ {:.2f}", 1.0 / std::sqrt(1.0 - beta * beta));
 }
 
+/// Both pucks have met and glow by their heat, a quarter of their rest energy, which outshines their colours.
 void massEnergy(const LessonCheck& check) {
+  const glm::vec3 glow = colour_kernel::seenGlow(0.25F, 1.0F, false, false);
   for (const char* puck : {"white", "red"}) {
-    check.puck(puck);
+    check.puck(puck, codeOf(glow / glow.r));
     check.gauge(puck, gammaSeen(check, puck));
   }
   if (check.moment.phase == kExplains) check.label("hot: 2.5 M");
