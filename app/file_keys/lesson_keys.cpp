@@ -1,6 +1,7 @@
 #include "app/file_keys/lesson_keys.h"
 
 #include "cave/frame/lesson_plan.h"
+#include "cave/record/effects.h"
 #include "cave/record/lesson_words.h"
 #include "cave/record/time_views.h"
 
@@ -38,6 +39,13 @@ FileKey stopwatch() {
                    numbers("stands_m", 3, {}, "where a plate with the reading stands")});
 }
 
+FileKey effectsKey() {
+  FileKey effects =
+      declare::texts("offers_effects", "while it shows and explains, buttons turn these effects off and on");
+  for (const NamedSwitch& effect : kNamedSwitches) effects.choices.emplace_back(effect.name);
+  return effects;
+}
+
 }  // namespace
 
 FileKey viewsKey(std::string_view sentence, std::string_view name) {
@@ -64,6 +72,7 @@ FileKey lessonKeys() {
        viewsKey("views of time that it begins with"),
        viewsKey("views of time that are on while it explains", "explains_views"),
        flag("offers_spacetime", "while it explains, a button shows the game's spacetime in the room"),
+       effectsKey(),
        required(
            number("from_s", kNotNegative, "board time at the observer at which the lesson begins to show")),
        required(number("until_s", kPositive,

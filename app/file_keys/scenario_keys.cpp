@@ -111,6 +111,7 @@ FileKey soft() {
 FileKey puck() {
   constexpr Range kInertia{.least = 0.0, .most = 1.0, .above = true};
   constexpr double kHeight_m = 0.02;
+  constexpr int kMostSectors = 48;
   FileKey keys = tables(
       "puck", "a body that collides",
       {required(text("name", "unique")), number("radius_m", kPositive, "at rest"),
@@ -134,8 +135,12 @@ FileKey puck() {
               0.0),
        number("spin_kg_m2_s", {}, "instead of spin_rad_s: angular momentum in the rest frame of its centre",
               0.0),
-       soft(), text("mesh", kMesh)});
-  keys.rules = {{{.with = {"radius_m"}, .without = {"outline_m", "outline"}},
+       soft(), text("mesh", kMesh),
+       whole("sectors", 2, kMostSectors,
+             "an even number: its mesh is painted in so many sectors around its axis, alternately in its "
+             "colour and pale, the first with its middle on x")});
+  keys.rules = {{{.with = {"sectors", "mesh"}, .without = {}}, {.with = {}, .without = {"sectors"}}},
+                {{.with = {"radius_m"}, .without = {"outline_m", "outline"}},
                  {.with = {"radius_m", "outline", "mesh"}, .without = {"outline_m"}},
                  {.with = {"outline_m"}, .without = {"radius_m", "outline"}}},
                 {{.with = {}, .without = {"spin_rad_s"}}, {.with = {}, .without = {"spin_kg_m2_s"}}}};

@@ -30,6 +30,7 @@ struct PuckMesh {
   std::filesystem::path file;      ///< exists
   std::optional<MeshPlace> place;  ///< of what collides as it looks; otherwise scaled to the puck's radius
   bool isInOnePiece = true;        ///< seen from above
+  int sectors = 0;  ///< an even number, in which it is painted around its axis; 0: it has one colour
 };
 
 /// A body with prescribed motion that collides with nothing: a rod, a train, a clock.

@@ -57,10 +57,21 @@ ObserverStart readObserver(const TomlTable& table) {
   return observer;
 }
 
+/// Reads in how many sectors the puck's mesh is painted.
+void readSectors(const TomlTable& table, std::optional<PuckMesh>& mesh) {
+  if (!table.has("sectors")) return;
+  const int sectors = table.integer("sectors");
+  if (!mesh) table.fault("sectors", "sectors paint a mesh, expected the key mesh, too");
+  if (sectors % 2 != 0)
+    table.fault("sectors", fmt::format("sectors is {}, expected an even number: they alternate", sectors));
+  if (mesh && sectors % 2 == 0) mesh->sectors = sectors;
+}
+
 Puck readPuck(const TomlTable& table, double c_m_s, std::optional<PuckMesh>& mesh) {
   Puck puck;
   puck.name = table.text("name");
   readShape(table, puck, mesh);
+  readSectors(table, mesh);
   puck.height_m = table.number("height_m");
   puck.mass_kg = table.number("mass_kg");
   puck.position_m = toVec2(table.numbers<2>("position_m"));

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cave/record/effects.h"
+
 namespace carom {
 namespace {
 
@@ -48,22 +50,35 @@ std::string readWords(const TomlTable& table, std::string_view key) {
   return text;
 }
 
-TimeViews readViews(const TomlTable& table, std::string_view key) {
+namespace {
+
+/// Reads the names of some rows. Returns their numbers; records a fault for each name that no row has.
+template <typename Rows>
+std::vector<std::size_t> readNames(const TomlTable& table, std::string_view key, std::string_view what,
+                                   const Rows& rows) {
   std::vector<std::string> names;
-  for (const NamedView& view : kNamedViews) names.emplace_back(view.name);
-  TimeViews views;
+  for (const auto& row : rows) names.emplace_back(row.name);
+  std::vector<std::size_t> numbers;
   for (const PlacedText& given : table.texts(key)) {
     const auto found = std::find(names.begin(), names.end(), given.text);
     if (found != names.end()) {
-      views.*kNamedViews[static_cast<std::size_t>(found - names.begin())].value = 1;
+      numbers.push_back(static_cast<std::size_t>(found - names.begin()));
       continue;
     }
     if (given.text.empty()) continue;  // has been reported
     const auto nearest = nearestWord(given.text, names);
-    table.fault(given.place, fmt::format("there is no view '{}', expected {}", given.text,
+    table.fault(given.place, fmt::format("there is no {} '{}', expected {}", what, given.text,
                                          nearest ? fmt::format("'{}'?", *nearest)
                                                  : fmt::format("one of {}", fmt::join(names, ", "))));
   }
+  return numbers;
+}
+
+}  // namespace
+
+TimeViews readViews(const TomlTable& table, std::string_view key) {
+  TimeViews views;
+  for (const std::size_t row : readNames(table, key, "view", kNamedViews)) views.*kNamedViews[row].value = 1;
   return views;
 }
 
@@ -151,6 +166,8 @@ Lesson readLesson(const TomlTable& table, const std::string& title, const Lesson
   lesson.views = readViews(table);
   lesson.explains = readViews(table, "explains_views");
   lesson.plan = readLessonPlan(table, game);
+  for (const std::size_t row : readNames(table, "offers_effects", "effect", kNamedSwitches))
+    lesson.plan.effects.push_back(static_cast<std::uint8_t>(row));
   return lesson;
 }
 

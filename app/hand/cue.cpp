@@ -53,10 +53,10 @@ std::size_t numberOf(std::string_view device) {
 
 }  // namespace
 
-Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool frozen) {
-  if (frozen) return {{}, texts::message::kTimeStands};
+Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, const CueState& state) {
+  if (state.frozen) return {{}, state.inLesson ? texts::message::kInLesson : texts::message::kTimeStands};
   if (pointed.behind) return {{}, texts::message::kPuckBehind};
-  if (!pointed.puck) return {{}, texts::message::kNoPuck};
+  if (!pointed.puck) return {{}, state.isRinged ? texts::message::kNotRinged : texts::message::kNoPuck};
   target_ = pointed.puck;
   device_ = hand.device;
   pull_m_ = hand.pull_m;
@@ -64,14 +64,14 @@ Cue::Outcome Cue::press(const HandInput& hand, const PickResult& pointed, bool f
   return {};
 }
 
-Cue::Outcome Cue::step(const HandInput& hand, const PickResult& pointed, bool frozen) {
+Cue::Outcome Cue::step(const HandInput& hand, const PickResult& pointed, const CueState& state) {
   const bool pressed = !hand.device.empty() && hand.held, wasPressed = std::exchange(pressed_, pressed);
-  if (!target_) return pressed && !wasPressed ? press(hand, pointed, frozen) : Outcome{};
+  if (!target_) return pressed && !wasPressed ? press(hand, pointed, state) : Outcome{};
   if (hand.device != device_) {
     target_.reset();
     return {{}, texts::message::kDeviceLost.at(numberOf(device_))};
   }
-  if (frozen) {
+  if (state.frozen) {
     target_.reset();
     return {{}, texts::message::kStoppedStroke};
   }

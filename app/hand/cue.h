@@ -41,6 +41,13 @@ inline constexpr double kMostSide = 0.5, kLeastSide = 0.125;
 /// beside the centre as it is seen: 0 near the centre, and at most kMostSide of the radius.
 double sideOf(const Vec3& asideInRoom_m, const Vec2& u, const Lorentz& boardFromRoom, double radius_m);
 
+/// What a cue can do at present, which decides the words for a press that takes no puck.
+struct CueState {
+  bool frozen = false;    ///< no stroke is possible: the viewer's time is frozen, or a lesson shows its game
+  bool inLesson = false;  ///< a lesson shows its game
+  bool isRinged = false;  ///< a ring marks the puck that a beginner is to strike
+};
+
 class Cue {
  public:
   /// The result of one frame.
@@ -49,9 +56,8 @@ class Cue {
     texts::Saying refused;             ///< message to the player why the action was refused; empty if none
   };
 
-  /// Advances the cue by one frame. `frozen` means that the viewer's time is frozen, in which no stroke is
-  /// possible.
-  Outcome step(const HandInput& hand, const PickResult& pointed, bool frozen);
+  /// Advances the cue by one frame.
+  Outcome step(const HandInput& hand, const PickResult& pointed, const CueState& state = {});
 
   /// Returns the puck that the cue is held for; it does not change until the cue is released.
   std::optional<std::size_t> target() const { return target_; }
@@ -59,7 +65,7 @@ class Cue {
   double d0_m() const { return d0_m_; }  ///< as HandInput
 
  private:
-  Outcome press(const HandInput& hand, const PickResult& pointed, bool frozen);
+  Outcome press(const HandInput& hand, const PickResult& pointed, const CueState& state);
 
   bool pressed_ = false;     ///< the button was down in the previous frame
   std::string_view device_;  ///< the device that holds the cue

@@ -1,6 +1,7 @@
 #include "app/operator/wall_commands.h"
 
 #include "app/operator/visitor_choices.h"
+#include "cave/record/effects.h"
 
 namespace carom {
 
@@ -16,8 +17,10 @@ std::optional<Command> commandOf(const WallAction& action, const OperatorSetting
       return ChooseInLesson{action.number};
     case WallAction::Kind::goOn:
       return AdvanceLesson{};
-    case WallAction::Kind::colour:
-      return SetSwitch{&Switches::colour, false, settings.switches.colour == 0};
+    case WallAction::Kind::effect: {
+      const auto effect = kNamedSwitches.at(action.number).value;
+      return SetSwitch{effect, false, settings.switches.*effect == 0};
+    }
     case WallAction::Kind::keepShot:
       return ShowBestShot{.isKept = true};
     case WallAction::Kind::again:

@@ -140,7 +140,7 @@ void addScene(const Visit& visit, const Scene& scene, PageBulk& bulk, Json& json
                              {"paint", static_cast<int>(part.paint)},
                              {"isDecal", part.paint == Paint::shadow},
                              {"colour", vectorOf(part.colour)},
-                             {"gloss", part.gloss},
+                             {"roughness", part.roughness},
                              {"isRound", part.isRound}});
     std::vector<Paint>& paints = part.body == kRestingBody ? resting : moving;
     if (std::find(paints.begin(), paints.end(), part.paint) == paints.end()) paints.push_back(part.paint);

@@ -88,10 +88,8 @@ PageShaders pageShaders(const std::vector<Paint>& resting, const std::vector<Pai
     return places;
   };
   const auto add = [&](const BodyVariant& variant) {
-    const auto& [legs, paint, switches, moment, follows] = variant;
-    shaders.variants.push_back({variant,
-                                placesOf(bodyVertexParts(legs, paint, switches, moment, follows), true),
-                                placesOf(surfaceFragmentParts(paint, switches, moment, follows), false)});
+    shaders.variants.push_back(
+        {variant, placesOf(bodyVertexParts(variant), true), placesOf(surfaceFragmentParts(variant), false)});
   };
   constexpr std::array kMovingLegs{Legs::one, Legs::oneSpinning, Legs::many, Legs::manySpinning};
   for (const Switches& state : statesOf(recorded)) {

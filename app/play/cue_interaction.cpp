@@ -54,7 +54,10 @@ CueInteraction::Outcome CueInteraction::step(const HandInput& hand, bool still, 
     if (!pointed.puck && ringed && isInRing(*ringed, hand, game, seen)) pointed.puck = ringed;
   }
   const bool held = cue_.target().has_value();
-  const Cue::Outcome cue = cue_.step(hand, pointed, still);
+  const Cue::Outcome cue = cue_.step(hand, pointed,
+                                     {.frozen = still,
+                                      .inLesson = record.lesson.phase == LessonPhase::shows,
+                                      .isRinged = ringed.has_value()});
   if (!held && cue_.target()) {
     aside_m_ = pointed.end_m -
                aim_.seenInRoom_m(game.pucks()[*cue_.target()], {own.observer, hand.eye, record.switches});

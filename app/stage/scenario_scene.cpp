@@ -177,11 +177,11 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
     const Puck& puck = scenario.billiard.pucks[i];
     const std::optional<PuckMesh>& mesh = scenario.puckMeshes[i];
     pucks.push_back({puck.name, mesh ? mesh->file.string() : "", puck.radius_m, puck.height_m, puck.outline_m,
-                     mesh ? mesh->place : std::nullopt});
+                     mesh ? mesh->place : std::nullopt, mesh ? mesh->sectors : 0});
   }
   std::vector<BodyLooks> told;
   for (const ScriptedBody& body : scenario.bodies)
-    told.push_back({body.name, pathOf(body.mesh), 0.0, 0.0, {}, {}, body.isDrawn});
+    told.push_back({.name = body.name, .meshPath = pathOf(body.mesh), .isDrawn = body.isDrawn});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
   hall.lamps = scenario.lamps;

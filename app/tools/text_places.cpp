@@ -16,6 +16,7 @@
 #include "cave/overlay/hud_line.h"
 #include "cave/overlay/line_breaks.h"
 #include "cave/overlay/panel_place.h"
+#include "cave/overlay/sentences.h"
 #include "cave/overlay/wall_buttons.h"
 #include "cave/room/off_axis.h"
 #include "cave/room/room_geometry.h"
@@ -259,11 +260,10 @@ class Places {
   void addLesson(const std::string& entry, const Lesson& lesson, LessonPhase phase) {
     double widest_em = 0.0, lowest_px = bandLetter_px(front_);
     int rightmost_px = 0;
-    for (std::uint8_t answer = 0; answer <= lesson.words.answers.size(); ++answer) {
-      FrameRecord record;
-      record.lesson = {phase, answer};
-      std::vector<HudLine> lines;
-      describe(record, lesson.words, lesson.plan, {}, bandRoom(front_), lines);
+    FrameRecord record;
+    std::vector<HudLine> lines;
+    const auto measure = [&](double explained_s) {
+      describe(record, lesson.words, lesson.plan, {}, bandRoom(front_), lines, true, explained_s);
       BandLayout layout;
       layOut(front_, front_.pixels, lines, layout);
       lowest_px = std::min(lowest_px, static_cast<double>(layout.height_px));
@@ -271,6 +271,15 @@ class Places {
         widest_em = std::max(widest_em, widthOf_em(line.text) + (line.setIn ? kIndent : 0.0));
       for (const BandLayout::Button& button : layout.buttons)
         rightmost_px = std::max(rightmost_px, button.part.from_px.x + button.part.size_px.x);
+    };
+    for (std::uint8_t answer = 0; answer <= lesson.words.answers.size(); ++answer) {
+      record.lesson = {phase, answer};
+      measure(0.0);
+    }
+    double explained_s = 0.0;
+    for (const std::string_view sentence : sentencesOf(lesson.words.number)) {
+      measure(explained_s);
+      explained_s += standsFor_s(sentence);
     }
     const LineRoom room = bandRoom(front_);
     add(entry, "lines of the band", widest_em * bandLetter_px(front_), room.width_em * bandLetter_px(front_));

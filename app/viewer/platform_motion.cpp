@@ -212,8 +212,7 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   if (asked > 1.0 + 1e-9) {
     thrust_m_s2 /= asked;
     view_.atLimit = 1;
-    const double behind_m = c_m_s_ * c_m_s_ / strongest_m_s2_;
-    sayOnce(saidStrongest_, texts::say(texts::message::kStrongestThrust, behind_m));
+    sayOnce(saidStrongest_, texts::message::kStrongestThrust);
   }
   const double left_s = left.platform_s(thrust_m_s2);
   const Lorentz& room = observers.boardFromRoom();

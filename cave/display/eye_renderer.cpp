@@ -13,6 +13,9 @@
 namespace carom {
 namespace {
 
+/// How bright pucks and bodies are as they are seen, as a share, while a lesson explains what ghosts show.
+constexpr float kSeenBehindGhosts = 0.35F;
+
 /// Returns whether the body always keeps this motion. If so, at any moment of the frame with this motion it
 /// is where it is seen.
 bool stays(const WorldLine& line, const Vec3& u) {
@@ -45,21 +48,23 @@ Wall columnsOf(const Wall& wall, int left_px, int right_px) {
 EyeRenderer::EyeRenderer(Graphics& graphics, const Scene& scene, double lightSpeed_m_s)
     : graphics_(graphics),
       scene_(scene),
-      lightSpeed_m_s_(lightSpeed_m_s),
       renderer_(graphics, scene, lightSpeed_m_s),
+      hot_(scene.coldMasses_kg, scene.bodyCount, lightSpeed_m_s),
       bodies_(scene.bodyCount) {}
 
 EyeRenderer::~EyeRenderer() { graphics_.makeCurrent(); }
 
 void EyeRenderer::draw(const FrameRecord& record, const World& world, const ObserverView& observer,
                        const EyeView& eye, std::span<const PicturedWall> walls, std::size_t viewer) {
+  hot_.follow(world.events, record.eventsKept);
   if (walls.empty()) return;
   const bool split = record.views.split != 0;
   look(renderer_, record.switches, record, world, observer, eye);
   lookAtSculpture(record, world, observer, eye, viewer);
   drawPart(renderer_, split ? Part::left : Part::whole, eye, walls);
   if (!split) return;
-  if (!beside_) beside_ = std::make_unique<WallRenderer>(graphics_, scene_, lightSpeed_m_s_);
+  if (!beside_)
+    beside_ = std::make_unique<WallRenderer>(graphics_, scene_, world.histories.front().lightSpeed_m_s());
   look(*beside_, record.views.beside, record, world, observer, eye);
   drawPart(*beside_, Part::right, eye, walls);
   for (const PicturedWall& wall : walls)
@@ -77,7 +82,7 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
   SoftLook soft{world.soft, views.strain ? Told::strain : views.heat ? Told::heat : Told::nothing};
   if (!ghosts.boardNow.empty()) soft.boardNow = Event{observer.middle.observation.t_s, eye.observation.r_m};
   if (!ghosts.myNow.empty()) soft.myNow = eye.observation;
-  renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts, soft);
+  renderer.look(observer.headFromBoard, eye, bodies_, switches, ghosts, soft, hot_.seenFrom(eye.observation));
   marked_ = !scene_.pulses.empty() || people.count > 0 || record.lesson.phase != LessonPhase::none ||
             isStrokeUnderWay(world.events, observer) ||
             std::any_of(kNamedViews.begin(), kNamedViews.end(),
@@ -93,8 +98,7 @@ void EyeRenderer::look(WallRenderer& renderer, const Switches& switches, const F
 void EyeRenderer::lookAtSculpture(const FrameRecord& record, const World& world, const ObserverView& observer,
                                   const EyeView& eye, std::size_t viewer) {
   lines_.follow(record);
-  sculpted_ = record.views.spacetime != 0 && !scene_.sculpted.bodies.empty();
-  if (!sculpted_) return sculpture_.reset();
+  if (record.views.spacetime == 0 || scene_.sculpted.bodies.empty()) return sculpture_.reset();
   graphics_.makeCurrent();
   if (!sculpture_) sculpture_ = std::make_unique<RoomSculpture>(scene_.sculpted);
   const MarkContext sight{
@@ -132,6 +136,8 @@ Ghosts EyeRenderer::viewGhosts(const Switches& switches, const FrameRecord& reco
     ghosts.boardNow = view(boardNow_, moment, ViewTime::boardNow, Vec3(0.0));
   }
   if (views.myNow) ghosts.myNow = view(myNow_, eye.observation, ViewTime::myNow, record.boardFromRoom.u());
+  const bool showGhosts = !ghosts.boardNow.empty() || !ghosts.myNow.empty();
+  if (record.lesson.phase == LessonPhase::explains && showGhosts) ghosts.seenShare = kSeenBehindGhosts;
   return ghosts;
 }
 
@@ -146,7 +152,7 @@ void EyeRenderer::drawPart(WallRenderer& renderer, Part part, const EyeView& eye
     WallDrawing drawing;
     drawing.seenFromEye_m = eye.seenFromInRoom_m - eye.positionInRoom_m;
     drawing.left_px = part == Part::right ? split_px : 0;
-    drawing.sculpture = sculpted_ ? sculpture_.get() : nullptr;
+    drawing.sculpture = sculpture_.get();
     drawing.marks = marked_ ? marks_.get() : nullptr;
     const bool isCut = part != Part::whole && split_px > 0 && split_px < wall->pixels.x;
     drawing.cutAt = !isCut ? 0.0F : part == Part::left ? 1.0F : -1.0F;

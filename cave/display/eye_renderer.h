@@ -10,6 +10,7 @@
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
 #include "cave/record/frame_state.h"
+#include "cave/render/hot_bodies.h"
 #include "cave/render/room_sculpture.h"
 #include "cave/render/spacetime_marks.h"
 #include "cave/render/wall_renderer.h"
@@ -66,14 +67,14 @@ class EyeRenderer {
 
   Graphics& graphics_;
   Scene scene_;
-  double lightSpeed_m_s_;
   WallRenderer renderer_;
   std::unique_ptr<WallRenderer> beside_;  // for the right halves: each renderer keeps its shaders
   std::unique_ptr<SpacetimeMarks> marks_;
-  OwnLines lines_;  // also while the sculpture is not shown
-  std::unique_ptr<RoomSculpture> sculpture_;
+  HotBodies hot_;
+  OwnLines lines_;                            // also while the sculpture is not shown
+  std::unique_ptr<RoomSculpture> sculpture_;  // null while it is not shown
   std::vector<RoomSculpture::SeenTop> tops_;
-  bool marked_ = false, sculpted_ = false;
+  bool marked_ = false;
   std::vector<BodyView> bodies_, boardNow_, myNow_;
   std::vector<Wall> parts_;            // halves of walls
   std::vector<WallPicture> pictures_;  // of the eye that is drawn

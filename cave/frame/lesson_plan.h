@@ -89,9 +89,10 @@ struct SimultaneityLine {
 struct LessonPlan {
   LessonInterval interval;
   std::vector<LessonObserver> observers;
-  std::size_t explainedFor = 0;  ///< the velocity with which it explains
-  bool offersSpacetime = false;  ///< a button shows the game's spacetime while it explains
-  bool holds = false;            ///< a hand with a force device holds the puck that it points at
+  std::size_t explainedFor = 0;       ///< the velocity with which it explains
+  bool offersSpacetime = false;       ///< a button shows the game's spacetime while it explains
+  std::vector<std::uint8_t> effects;  ///< that have a button, by their places in kNamedSwitches
+  bool holds = false;                 ///< a hand with a force device holds the puck that it points at
   std::vector<Stopwatch> stopwatches;
   std::vector<TickCounter> counters;
   std::vector<Gauge> gauges;

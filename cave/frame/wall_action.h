@@ -20,7 +20,7 @@ struct WallAction {
     spacetime,  ///< as I
     tasks,      ///< begins the tasks
     nextTask,   ///< goes on to the next one
-    colour,     ///< as 4
+    effect,     ///< as 1 to 5: turns the effect that `number` counts in kNamedSwitches, from 0
     keepShot,   ///< keeps a picture of the best shot
     language,   ///< goes on to the session's language that `number` counts, from 0
   };

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "cave/overlay/hud_line.h"
+#include "cave/record/effects.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/key_names.h"
 #include "cave/texts/texts.h"
@@ -26,8 +27,10 @@ std::pair<std::string_view, std::string_view> textsOf(const WallAction& action) 
       return {texts::tile::kChoices.at(action.number), texts::tile::kChoiceKeys.at(action.number)};
     case WallAction::Kind::goOn:
       return {texts::tile::kBestShot, texts::keys::kEnterKey};
-    case WallAction::Kind::colour:
-      return {texts::keys::kColour, "4"};
+    case WallAction::Kind::effect: {
+      const NamedSwitch& effect = kNamedSwitches.at(action.number);
+      return {effect.words, std::string_view(&effect.key, 1)};
+    }
     case WallAction::Kind::keepShot:
       return {texts::tile::kKeepShot, ""};
     case WallAction::Kind::home:

@@ -15,6 +15,8 @@
 #include "cave/frame/lesson_readings.h"
 #include "cave/gl/view_colours.h"
 #include "cave/overlay/motion_overlay.h"
+#include "cave/overlay/sentences.h"
+#include "cave/record/effects.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/format.h"
 #include "cave/texts/key_names.h"
@@ -67,18 +69,21 @@ class Lines {
     }
   }
 
-  /// Adds one of two texts, all in its colour, and empty lines if the other one is longer, so that what
+  /// Adds one of several texts, all in its colour, and empty lines if another one is longer, so that what
   /// stands below does not move.
-  struct Advice {
+  struct Part {
     std::string_view first, words;
-    glm::vec3 colour;
+    std::optional<glm::vec3> colour{};
   };
-  void wrapOneOf(const Advice& said, const Advice& other) {
+  void wrapOneOf(std::span<const Part> parts, std::size_t said) {
     const std::size_t before = count_;
-    wrap(other.words, other.first);
-    const std::size_t most = std::exchange(count_, before);
-    wrap(said.words, said.first);
-    for (std::size_t i = before; i < count_; ++i) lines_[i].mark = said.colour;
+    std::size_t most = before;
+    for (const Part& part : parts) {
+      wrap(part.words, part.first);
+      most = std::max(most, std::exchange(count_, before));
+    }
+    wrap(parts[said].words, parts[said].first);
+    for (std::size_t i = before; i < count_; ++i) lines_[i].mark = parts[said].colour;
     while (count_ < most) begin({});
   }
 
@@ -240,30 +245,60 @@ std::string paceWords(const LessonPlan& plan) {
   return slowness > 1.0 ? texts::format(texts::lesson::kSlowMotion, slowness) : "";
 }
 
-/// Adds what to press while the lesson explains.
-void addExplainedButtons(const SeenFrame& seen, const LessonPlan& plan, bool mayLeave, Lines& lines) {
+/// Adds the buttons of the effects that the lesson offers.
+void addEffectChips(const SeenFrame& seen, const LessonPlan& plan, std::vector<HudChip>& chips) {
+  for (const std::uint8_t number : plan.effects) {
+    const NamedSwitch& effect = kNamedSwitches.at(number);
+    const std::string key = texts::inLayout(std::string_view(&effect.key, 1));
+    chips.push_back({{Kind::effect, number}, std::string(effect.words.words()) + "  " + key});
+    chips.back().isOn = seen.record.switches.*effect.value != 0;
+  }
+}
+
+/// Returns what to press while the lesson shows.
+std::vector<HudChip> shownChips(const SeenFrame& seen, const LessonPlan& plan) {
+  std::vector<HudChip> chips{chip(Kind::again, texts::lesson::kAgain),
+                             chip(Kind::goOn, texts::lesson::kExplanation)};
+  addEffectChips(seen, plan, chips);
+  return chips;
+}
+
+/// Returns what to press while the lesson explains.
+std::vector<HudChip> explainedChips(const SeenFrame& seen, const LessonPlan& plan) {
   std::vector<HudChip> chips{chip(Kind::goOn, texts::lesson::kBackToScene),
                              chip(Kind::again, texts::lesson::kAskAgain)};
   if (plan.offersSpacetime) {
     chips.push_back(chip(Kind::spacetime, texts::lesson::kSpacetime));
     chips.back().isOn = seen.record.views.spacetime != 0;
   }
-  addButtons(seen, {}, std::move(chips), mayLeave, lines);
+  addEffectChips(seen, plan, chips);
+  return chips;
 }
 
 /// Adds what to do in the first half of what the lesson shows, and then what to look for.
 void addAdvice(const SeenFrame& seen, const LessonWords& lesson, const LessonInterval& interval,
                Lines& lines) {
-  const Lines::Advice tryThis{texts::lesson::kTryThis, lesson.todo, kTryThisColour};
-  const Lines::Advice lookFor{texts::lesson::kLookFor, lesson.notice, kLookForColour};
+  const std::array<Lines::Part, 2> parts{{{texts::lesson::kTryThis, lesson.todo, kTryThisColour},
+                                          {texts::lesson::kLookFor, lesson.notice, kLookForColour}}};
   const double board_s = seen.self.observer.middle.observation.t_s;
-  const bool isLater = board_s >= 0.5 * (interval.from_s + interval.until_s);
-  isLater ? lines.wrapOneOf(lookFor, tryThis) : lines.wrapOneOf(tryThis, lookFor);
+  lines.wrapOneOf(parts, board_s >= 0.5 * (interval.from_s + interval.until_s) ? 1 : 0);
+}
+
+/// Adds the explanation, one sentence at a time, with its number and that of all: "1/3".
+void addExplanation(const std::string& number, double since_s, Lines& lines) {
+  const std::vector<std::string_view> sentences = sentencesOf(number);
+  if (sentences.size() < 2) return lines.wrap(number);
+  std::vector<std::string> places;
+  for (std::size_t i = 1; i <= sentences.size(); ++i)
+    places.push_back(fmt::format("{}/{}  ", i, sentences.size()));
+  std::vector<Lines::Part> parts;
+  for (std::size_t i = 0; i < sentences.size(); ++i) parts.push_back({places[i], sentences[i]});
+  lines.wrapOneOf(parts, sentenceAt(sentences, since_s));
 }
 
 /// Adds the lesson's text for its phase, and how to continue.
 void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
-               bool mayLeave, Lines& lines) {
+               bool mayLeave, double explained_s, Lines& lines) {
   switch (seen.record.lesson.phase) {
     case LessonPhase::none:
       return;
@@ -274,15 +309,13 @@ void addLesson(const SeenFrame& seen, const LessonWords& lesson, const LessonPla
       addReadings(seen, plan, paceWords(plan), lines);
       addTwins(seen, viewers, lines);
       addObservers(seen, plan, lines);
-      return addButtons(
-          seen, {}, {chip(Kind::again, texts::lesson::kAgain), chip(Kind::goOn, texts::lesson::kExplanation)},
-          mayLeave, lines);
+      return addButtons(seen, {}, shownChips(seen, plan), mayLeave, lines);
     case LessonPhase::explains:
-      lines.wrap(lesson.number);
+      addExplanation(lesson.number, explained_s, lines);
       addAnswer(lesson, seen.record.lesson.answer, lines);
       addReadings(seen, plan, {}, lines);
       addObservers(seen, plan, lines);
-      return addExplainedButtons(seen, plan, mayLeave, lines);
+      return addButtons(seen, {}, explainedChips(seen, plan), mayLeave, lines);
   }
 }
 
@@ -343,10 +376,10 @@ void addViews(const SeenFrame& seen, Viewers viewers, Lines& lines) {
 }  // namespace
 
 void describe(const SeenFrame& seen, const LessonWords& lesson, const LessonPlan& plan, Viewers viewers,
-              const LineRoom& room, std::vector<HudLine>& words, bool mayLeave) {
+              const LineRoom& room, std::vector<HudLine>& words, bool mayLeave, double explained_s) {
   Lines lines(words, room);
   lines.wrap(seen.self.notice.words(), {}, true);
-  addLesson(seen, lesson, plan, viewers, mayLeave, lines);
+  addLesson(seen, lesson, plan, viewers, mayLeave, explained_s, lines);
   if (seen.record.lesson.phase == LessonPhase::none) {
     addScore(seen, viewers, lines);
     addEffects(seen.record.switches, lines);
@@ -371,23 +404,21 @@ void HudText::setLesson(const LessonWords& words, const LessonPlan& plan, bool m
 
 bool HudText::follow(const SeenFrame& seen) {
   const auto tenths_s = static_cast<std::int64_t>(std::floor(10.0 * seen.record.display_s));
-  if (tenths_s == tenths_s_ && seen.record.views == views_ && seen.record.controls == controls_ &&
-      seen.record.lesson == lessonState_ && seen.self.notice == notice_ && seen.self.language == language_) {
-    return false;
-  }
+  const Told told{seen.record.views, seen.record.controls, seen.record.lesson, seen.self.notice,
+                  seen.self.language};
+  if (tenths_s == tenths_s_ && told == told_) return false;
+  const bool explainedBefore = told_.lesson.phase == LessonPhase::explains;
+  if (told.lesson.phase != LessonPhase::explains || !explainedBefore) explainsFrom_s_ = seen.record.display_s;
   tenths_s_ = tenths_s;
-  views_ = seen.record.views;
-  controls_ = seen.record.controls;
-  lessonState_ = seen.record.lesson;
-  notice_ = seen.self.notice;
-  language_ = seen.self.language;
+  told_ = told;
   isBand_ = seen.record.lesson.phase != LessonPhase::none;
   if (words_ != texts::language()) {
     words_ = texts::language();
     inLanguage_ = inLanguage(lesson_);
     planInLanguage_ = inLanguage(plan_);
   }
-  describe(seen, inLanguage_, planInLanguage_, viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_);
+  describe(seen, inLanguage_, planInLanguage_, viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_,
+           seen.record.display_s - explainsFrom_s_);
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include "cave/overlay/home_arrow.h"
 #include "cave/overlay/motion_overlay.h"
 #include "cave/overlay/panel_place.h"
+#include "cave/record/effects.h"
 #include "cave/room/off_axis.h"
 
 namespace carom {
@@ -95,8 +96,8 @@ void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offer
   }
   if (!offered.choices || !offersChoicesNow(seen)) return;
   if (offered.keys) add(2, Kind::keys);
-  const auto addBelow = [&](std::size_t column, Kind kind) {
-    buttons.push_back({{kind, 0}, below(below(above[column], wall), wall)});
+  const auto addBelow = [&](std::size_t column, Kind kind, std::uint8_t number = 0) {
+    buttons.push_back({{kind, number}, below(below(above[column], wall), wall)});
   };
   if (offered.hasTasks) {
     addBelow(0, Kind::nextTask);
@@ -104,7 +105,7 @@ void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offer
     return;
   }
   if (seen.self.score.strokes > 0) addBelow(0, Kind::tasks);
-  addBelow(1, Kind::colour);
+  addBelow(1, Kind::effect, numberOf(&Switches::colour));
 }
 
 std::optional<PointedButton> buttonAt(const Wall& front, std::span<const WallButton> buttons,

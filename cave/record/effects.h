@@ -31,4 +31,11 @@ inline constexpr std::array<NamedSwitch, 5> kNamedSwitches{{
      texts::keys::kRightSearchlight, texts::console::kSearchlightTip},
 }};
 
+/// Returns the number of the row of an effect, from 0.
+constexpr std::uint8_t numberOf(std::uint8_t Switches::*effect) {
+  std::uint8_t row = 0;
+  while (kNamedSwitches[row].value != effect) ++row;
+  return row;
+}
+
 }  // namespace carom

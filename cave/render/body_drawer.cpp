@@ -20,7 +20,7 @@ namespace {
 constexpr float kAlways_m = -1e30F;       // means that the body has always existed
 constexpr float kDecalNearer = 0.002F;    // fraction of the distance by which a decal is drawn nearer
 constexpr float kBodiesNearer = 0.0005F;  // the same of the last body
-constexpr float kSoftGloss = 0.3F;
+constexpr float kSoftRoughness = 0.25F;
 constexpr double kPointReach_m = 0.03;  // stands for that of a told body
 constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
 
@@ -145,8 +145,11 @@ void BodyDrawer::upload() {
 }
 
 void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-                      const Switches& switches, const Ghosts& ghosts, const SoftLook& soft) {
+                      const Switches& switches, const Ghosts& ghosts, const SoftLook& soft,
+                      std::span<const HotBlows> heat) {
   switches_ = switches;
+  seenShare_ = ghosts.seenShare;
+  heat_ = heat;
   legs_.clear();
   soft_.look(headFromBoard, eye, switches, soft);
   takeLayer(ViewTime::seen, bodies, headFromBoard);
@@ -208,14 +211,28 @@ PartUniforms BodyDrawer::uniformsOf(ViewTime moment, std::size_t number) const {
   uniforms.legCount = range.count;
   uniforms.appears_m = range.appears_m;
   uniforms.colour = part.colour;
-  uniforms.gloss = part.gloss;
+  uniforms.roughness = part.roughness;
+  if (!ghost && part.body != kRestingBody && part.paint != Paint::shadow) uniforms.seenShare = seenShare_;
   uniforms.tint = static_cast<float>(number % 3);
   // Bodies that go into each other until they turn have their tops in one plane: the later body's is seen.
   const float share = static_cast<float>(part.body) / static_cast<float>(scene_.bodyCount);
   uniforms.nearer = ghost || part.paint == Paint::shadow ? kDecalNearer : kBodiesNearer * share;
   uniforms.ghostColour = linearOf(moment == ViewTime::boardNow ? kBoardNowColour : kMyNowColour);
   uniforms.hatch_m = ghostStripes_m(scene_.reach_m.empty() ? 1.0 : scene_.reach_m[part.body]);
+  if (part.body < heat_.size()) uniforms.heat = heat_[part.body];
+  uniforms.cooling_m = eye_.lightSpeed_m_s * static_cast<float>(kCooling_s);
   return uniforms;
+}
+
+/// Whether its matter may glow visibly. Ghosts are glass, and what tells strain or heat by its colour does
+/// not glow.
+bool BodyDrawer::isHot(const ChosenPart& chosen) const {
+  if (chosen.moment != ViewTime::seen) return false;
+  if (chosen.sort == ChosenPart::Sort::softShadow) return false;
+  if (chosen.sort == ChosenPart::Sort::soft)
+    return soft_.told() == Told::nothing && soft_.bound(chosen.moment, chosen.number).hottest >= kLeastGlow;
+  const ScenePart& part = scene_.parts[chosen.number];
+  return part.paint != Paint::shadow && part.body < heat_.size() && heat_[part.body].heats != glm::vec4(0.0F);
 }
 
 /// With `keepsAlpha`, blending leaves the stored alpha: a shadow has no edge
@@ -253,7 +270,8 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   uniforms.drawnFromSeen = layers_[static_cast<std::size_t>(chosen.moment)].drawnFromSeen;
   uniforms.appears_m = model.told ? SeenRows::kUnseen_m : kAlways_m;
   uniforms.colour = model.colour;
-  uniforms.gloss = kSoftGloss;
+  uniforms.roughness = kSoftRoughness;
+  if (!ghost && !isShadow) uniforms.seenShare = seenShare_;
   const std::size_t body = model.told ? scene_.bodyCount + chosen.number : model.body;
   uniforms.tint = static_cast<float>(body % 3);
   const float share = static_cast<float>(body) / static_cast<float>(scene_.bodyCount);
@@ -266,7 +284,8 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   const bool isPlain = ghost || model.told != nullptr;
   const Paint paint = isPlain ? Paint::plain : isShadow ? Paint::shadow : Paint::soft;
   BodyProgram* program = nullptr;
-  programFor({Legs::followed, paint, switches_, chosen.moment, !scene_.followed.empty()}, program);
+  programFor({Legs::followed, paint, switches_, chosen.moment, !scene_.followed.empty(), isHot(chosen)},
+             program);
   use(program->name());
   program->set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(isShadow || ghost, isShadow, !isShadow, model.told != nullptr);
@@ -286,8 +305,9 @@ void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
                         : legsOf({uniforms.legs, static_cast<std::size_t>(uniforms.legCount)}, part.isRound);
   const Paint paint = ghost ? Paint::plain : part.paint;
   Layer& layer = layers_[static_cast<std::size_t>(chosen.moment)];
-  BodyProgram& program = programFor({legs, paint, switches_, chosen.moment, !scene_.followed.empty()},
-                                    layer.programs[chosen.number]);
+  BodyProgram& program =
+      programFor({legs, paint, switches_, chosen.moment, !scene_.followed.empty(), isHot(chosen)},
+                 layer.programs[chosen.number]);
   use(program.name());
   program.set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
   setState(decal || ghost, decal && !ghost, !decal,

@@ -14,6 +14,7 @@
 #include "cave/gl/gl_objects.h"
 #include "cave/render/body_program.h"
 #include "cave/render/ghosts.h"
+#include "cave/render/hot_bodies.h"
 #include "cave/render/soft_drawer.h"
 #include "cave/render/tiled_surfaces.h"
 #include "cave/render/visible_chunks.h"
@@ -42,7 +43,8 @@ class BodyDrawer {
 
   /// Sets what one eye sees, as WallRenderer::look.
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-            const Switches& switches, const Ghosts& ghosts, const SoftLook& soft);
+            const Switches& switches, const Ghosts& ghosts, const SoftLook& soft,
+            std::span<const HotBlows> heat);
 
   /// Chooses what a wall may show; with `everything`, also what it cannot. Surfaces are divided so finely
   /// that nothing is off by more than half of `pixel_rad`. Returns the choice, which holds until the next
@@ -96,6 +98,7 @@ class BodyDrawer {
   void bindArray(const GlVertexArray& array);
   PartUniforms uniformsOf(ViewTime moment, std::size_t number) const;
   BodyProgram& programFor(const BodyVariant& variant, BodyProgram*& last);
+  bool isHot(const ChosenPart& chosen) const;
   void setState(bool blend, bool keepsAlpha, bool depthMask, bool clip);
 
   Scene scene_;
@@ -103,7 +106,9 @@ class BodyDrawer {
   TiledSurfaces surfaces_;
   SoftDrawer soft_;
   Switches switches_;
+  float seenShare_ = 1.0F;  // as Ghosts
   EyeUniforms eye_;
+  std::span<const HotBlows> heat_;  // of every body, or none
   std::vector<GpuLeg> legs_;
   std::deque<Choice> choices_;  // since the last look the first `chosen_`; the others keep their memory
   std::size_t chosen_ = 0;

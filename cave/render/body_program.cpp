@@ -25,18 +25,17 @@ void send(int at, int value) { glUniform1i(at, value); }
 void send(int at, const std::array<glm::vec3, 3>& values) {
   glUniform3fv(at, 3, glm::value_ptr(values.front()));
 }
+void send(int at, const HotBlows::Places& places) {
+  glUniform4fv(at, static_cast<GLsizei>(places.size()), glm::value_ptr(places.front()));
+}
 void send(int at, const LegUniform& leg) { glUniform4fv(at, kLegTexels, leg.data()); }
 
 }  // namespace
 
 BodyProgram::BodyProgram(const BodyVariant& variant)
     : variant_(variant),
-      program_(makeProgram(
-          "body",
-          bodyVertexShader(variant.legs, variant.paint, variant.switches, variant.moment,
-                           variant.followsLamps),
-          surfaceFragmentShader(variant.paint, variant.switches, variant.moment, variant.followsLamps),
-          kVertexInputs)) {
+      program_(
+          makeProgram("body", bodyVertexShader(variant), surfaceFragmentShader(variant), kVertexInputs)) {
   const auto place = [this](auto& uniform, const char* name) {
     uniform.at = glGetUniformLocation(program_, name);
   };
@@ -59,13 +58,17 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   place(has_.legCount, "legCount");
   place(has_.appears_m, "appears_m");
   place(has_.colour, "partColour");
-  place(has_.gloss, "gloss");
+  place(has_.roughness, "roughness");
+  place(has_.seenShare, "seenShare");
   place(has_.tint, "tint");
   place(has_.nearer, "nearer");
   place(has_.ghostColour, "ghostColour");
   place(has_.hatch_m, "hatch_m");
   place(has_.middleMotion, "middleMotion");
   place(has_.telling, "telling");
+  place(has_.blows, "blows");
+  place(has_.blowHeats, "blowHeats");
+  place(has_.cooling_m, "cooling_m");
   glUseProgram(program_);
   setUniform(program_, "legTexels", kLegUnit);
   setUniform(program_, "colourTexels", kColourUnit);
@@ -106,13 +109,17 @@ void BodyProgram::set(const PartUniforms& part) {
   has_.legCount.set(part.legCount);
   has_.appears_m.set(part.appears_m);
   has_.colour.set(part.colour);
-  has_.gloss.set(part.gloss);
+  has_.roughness.set(part.roughness);
+  has_.seenShare.set(part.seenShare);
   has_.tint.set(part.tint);
   has_.nearer.set(part.nearer);
   has_.ghostColour.set(part.ghostColour);
   has_.hatch_m.set(part.hatch_m);
   has_.middleMotion.set(part.middleMotion);
   has_.telling.set(part.telling);
+  has_.blows.set(part.heat.fromEye_m);
+  has_.blowHeats.set(part.heat.heats);
+  has_.cooling_m.set(part.cooling_m);
 }
 
 void BodyProgram::set(const EyeUniforms& eye, const glm::mat4& clipFromDrawn, const PartUniforms& part) {

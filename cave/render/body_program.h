@@ -12,6 +12,7 @@
 
 #include "cave/gl/gl_objects.h"
 #include "cave/render/body_shaders.h"
+#include "cave/render/hot_bodies.h"
 #include "engine/light/light_cone.h"
 
 namespace carom {
@@ -49,30 +50,22 @@ struct PartUniforms {
   int legCount = 0;
   float appears_m = 0.0F;
   glm::vec3 colour{0.0F};
-  float gloss = 0.0F;
-  float tint = 0.0F;  ///< sets its tone off from other parts' (cave/render/edge_pixels.h)
+  float roughness = 0.0F;
+  float seenShare = 1.0F;  ///< of its light, which the picture shows
+  float tint = 0.0F;       ///< sets its tone off from other parts' (cave/render/edge_pixels.h)
   float nearer = 0.0F;
   glm::vec3 ghostColour{0.0F};
   float hatch_m = 1.0F;
   glm::vec4 middleMotion{1.0F, 0.0F, 0.0F, 0.0F};  ///< of a body whose points have been solved for
   int telling = 0;                                 ///< a `Told`
+  HotBlows heat;                                   ///< of a rigid body
+  float cooling_m = 1.0F;                          ///< c kCooling_s
 };
 
 /// The inputs of a vertex: in the order of MeshVertex, and then those of a body whose points have been solved
 /// for (SeenVertex of cave/render/seen_rows.h).
 inline constexpr std::array<const char*, 6> kVertexInputs{"vertexMC", "normalMC", "surfaceMC",
                                                           "litMC",    "sightMC",  "motionMC"};
-
-/// What a program is compiled for.
-struct BodyVariant {
-  Legs legs = Legs::rest;
-  Paint paint = Paint::plain;
-  Switches switches;
-  ViewTime moment = ViewTime::seen;
-  bool followsLamps = false;
-
-  bool operator==(const BodyVariant&) const = default;
-};
 
 class BodyProgram {
  public:
@@ -101,12 +94,14 @@ class BodyProgram {
   };
   struct Uniforms {
     Uniform<glm::mat4> clipFromDrawn, boardFromDrawn, drawnFromSeen, drawnFromBody;
-    Uniform<glm::vec4> headOnBoard, middleMotion;
+    Uniform<glm::vec4> headOnBoard, middleMotion, blowHeats;
+    Uniform<HotBlows::Places> blows;
     Uniform<glm::vec3> eyeOnBoard_m, exposure, colour, ghostColour, lampsOn_m;
     Uniform<std::array<glm::vec3, 3>> lamps_m, lampsFromEye_m, lampLights;
     Uniform<LegUniform> onlyLeg;
     Uniform<int> observedWhole_s, firstLeg, legCount, telling;
-    Uniform<float> observedPart_s, lightSpeed_m_s, appears_m, gloss, tint, nearer, hatch_m;
+    Uniform<float> observedPart_s, lightSpeed_m_s, appears_m, roughness, seenShare, tint, nearer, hatch_m,
+        cooling_m;
   };
   BodyVariant variant_;
   GlProgram program_;

@@ -26,6 +26,7 @@
 #include "shaders/paint_panels.h"
 #include "shaders/paint_plain.h"
 #include "shaders/paint_puck.h"
+#include "shaders/paint_sectors.h"
 #include "shaders/paint_shadow.h"
 #include "shaders/paint_soft.h"
 #include "shaders/paint_wood.h"
@@ -56,6 +57,8 @@ std::string paintText(Paint paint) {
       return shaders::paint_soft;
     case Paint::bands:
       return shaders::paint_bands;
+    case Paint::sectors:
+      return shaders::paint_sectors;
     case Paint::shadow:
       return shaders::paint_shadow;
     case Paint::clock:
@@ -66,11 +69,12 @@ std::string paintText(Paint paint) {
   return shaders::paint_plain;
 }
 
-/// Returns whether this paint has no varnish, whatever the gloss of its part.
+/// Returns whether this paint has no varnish, whatever the roughness of its part.
 bool isMatt(Paint paint) { return paint == Paint::cloth || paint == Paint::panels || paint == Paint::shadow; }
 
 /// Returns the definitions that differ from one program to another.
-ShaderParts variantParts(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
+ShaderParts variantParts(const BodyVariant& variant) {
+  const auto& [legs, paint, switches, moment, followsLamps, isHot] = variant;
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " true\n" : " false\n");
   };
@@ -90,6 +94,7 @@ ShaderParts variantParts(Paint paint, const Switches& switches, ViewTime moment,
   if (followsLamps) text += "#define LAMPS\n";
   if (followsLamps && paint == Paint::lamp) text += "#define BULB\n";
   if (paint == Paint::clock || paint == Paint::lamp) text += "#define GLOWS\n";
+  if (isHot) text += "#define HOT\n";
   return {text, shaders::light_types};
 }
 
@@ -128,31 +133,24 @@ ShaderParts joinedParts(std::initializer_list<ShaderParts> lists) {
 
 std::string kernelText(Legs legs) { return joined(kernelParts(legs)); }
 
-ShaderParts bodyVertexParts(Legs legs, Paint paint, const Switches& switches, ViewTime moment,
-                            bool followsLamps) {
-  return joinedParts({{kPreamble},
-                      variantParts(paint, switches, moment, followsLamps),
-                      kernelParts(legs),
-                      {shaders::body_vert}});
+ShaderParts bodyVertexParts(const BodyVariant& variant) {
+  return joinedParts({{kPreamble}, variantParts(variant), kernelParts(variant.legs), {shaders::body_vert}});
 }
 
-ShaderParts surfaceFragmentParts(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
+ShaderParts surfaceFragmentParts(const BodyVariant& variant) {
   static const std::string kMarker = "//CAROM::Paint", kText = shaders::surface_frag;
   static const std::size_t kAt = kText.find(kMarker);
-  return joinedParts(
-      {{kPreamble},
-       variantParts(paint, switches, moment, followsLamps),
-       {kText.substr(0, kAt), moment == ViewTime::seen ? paintText(paint) : shaders::paint_ghost,
-        kText.substr(kAt + kMarker.size())}});
+  return joinedParts({{kPreamble},
+                      variantParts(variant),
+                      {kText.substr(0, kAt),
+                       variant.moment == ViewTime::seen ? paintText(variant.paint) : shaders::paint_ghost,
+                       kText.substr(kAt + kMarker.size())}});
 }
 
-std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches, ViewTime moment,
-                             bool followsLamps) {
-  return joined(bodyVertexParts(legs, paint, switches, moment, followsLamps));
-}
+std::string bodyVertexShader(const BodyVariant& variant) { return joined(bodyVertexParts(variant)); }
 
-std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment, bool followsLamps) {
-  return joined(surfaceFragmentParts(paint, switches, moment, followsLamps));
+std::string surfaceFragmentShader(const BodyVariant& variant) {
+  return joined(surfaceFragmentParts(variant));
 }
 
 }  // namespace carom

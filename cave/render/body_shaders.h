@@ -24,13 +24,22 @@ enum class Legs {
 /// Returns the GLSL text of the emission and colour kernels with everything they need.
 std::string kernelText(Legs legs);
 
-/// Returns the shaders for one state of the switches: effects that are off cost nothing. Bodies at a moment
-/// are drawn as ghosts, whatever their paint. With `followsLamps` the only light is that of lamps that go on,
-/// as it arrives.
-std::string bodyVertexShader(Legs legs, Paint paint, const Switches& switches,
-                             ViewTime moment = ViewTime::seen, bool followsLamps = false);
-std::string surfaceFragmentShader(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen,
-                                  bool followsLamps = false);
+/// What the shaders of a body are compiled for: effects that are off cost nothing. Bodies at a moment are
+/// drawn as ghosts, whatever their paint.
+struct BodyVariant {
+  Legs legs = Legs::rest;
+  Paint paint = Paint::plain;
+  Switches switches;
+  ViewTime moment = ViewTime::seen;
+  bool followsLamps = false;  ///< the only light is that of lamps that go on, as it arrives
+  bool isHot = false;         ///< its matter glows (cave/render/hot_bodies.h)
+
+  bool operator==(const BodyVariant&) const = default;
+};
+
+/// Returns the shaders of a variant.
+std::string bodyVertexShader(const BodyVariant& variant);
+std::string surfaceFragmentShader(const BodyVariant& variant);
 
 /// Returns how far apart the stripes in the ghost of a body are, which reaches so far from its centre.
 constexpr float ghostStripes_m(double reach_m) {
@@ -40,9 +49,7 @@ constexpr float ghostStripes_m(double reach_m) {
 
 /// The same texts in parts, to be joined: most parts are those of many shaders.
 using ShaderParts = std::vector<std::string>;
-ShaderParts bodyVertexParts(Legs legs, Paint paint, const Switches& switches,
-                            ViewTime moment = ViewTime::seen, bool followsLamps = false);
-ShaderParts surfaceFragmentParts(Paint paint, const Switches& switches, ViewTime moment = ViewTime::seen,
-                                 bool followsLamps = false);
+ShaderParts bodyVertexParts(const BodyVariant& variant);
+ShaderParts surfaceFragmentParts(const BodyVariant& variant);
 
 }  // namespace carom

@@ -12,6 +12,9 @@ namespace carom {
 /// has no legs has no ghost.
 struct Ghosts {
   std::span<const BodyView> boardNow, myNow;
+  /// How bright pucks and other bodies are as they are seen, as a share: the ghosts stand out where it is
+  /// less than 1.
+  float seenShare = 1.0F;
 };
 
 }  // namespace carom

@@ -135,7 +135,7 @@ SeenBound boundOf(std::span<const SeenVertex> vertices) {
     least = glm::min(least, glm::dvec3(vertex.drawn));
     most = glm::max(most, glm::dvec3(vertex.drawn));
   }
-  return {0.5 * (least + most), 0.5 * glm::length(most - least), {}};
+  return {0.5 * (least + most), 0.5 * glm::length(most - least)};
 }
 
 }  // namespace
@@ -158,7 +158,7 @@ void SeenRows::findPoints(const SoftModel& model, const SoftPast& past, const Ro
     point.drawn = eye.drawn(point.spot.boardTime_m, point.spot.fromEye_m);
     point.boardTime_m = eye.toldTime_m(point.spot.boardTime_m);
     point.u = withU(rows.shiningVelocity(point.spot, node));
-    point.told = told == Told::nothing ? 0.0 : rows.told(point.spot, node, told);
+    point.told = rows.told(point.spot, node, told);
   }
 }
 
@@ -202,6 +202,7 @@ SeenBound SeenRows::see(const SoftModel& model, const SoftPast& past, const Seen
   }
   SeenBound bound = boundOf(vertices);
   bound.middleU = points_.back().u;
+  for (const Point& point : points_) bound.hottest = std::max(bound.hottest, point.told);
   // As long as nothing of it is seen to be soft it is drawn as the rigid puck that it was.
   const auto isOnLeg = [](const Point& point) { return point.isOnLeg; };
   if (std::all_of(points_.begin(), points_.end(), isOnLeg)) bound.radius = -1.0;

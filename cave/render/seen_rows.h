@@ -24,7 +24,7 @@ struct SeenVertex {
   glm::vec3 drawn{0.0F};     ///< from the eye, in the frame in which walls draw
   float boardTime_m = 0.0F;  ///< c (t − t_o)
   glm::vec3 u{0.0F};         ///< γβ on the board
-  float told = 0.0F;         ///< the share that `Told` asks for
+  float told = 0.0F;         ///< the share that `Told` asks for; of nothing, its heat
   glm::vec3 normal{0.0F};    ///< in the vertex's own frame, in the board's axes
 };
 
@@ -33,6 +33,7 @@ struct SeenBound {
   glm::dvec3 middle{0.0};
   double radius = 0.0;
   glm::dvec3 middleU{0.0};  ///< γβ
+  double hottest = 0.0;     ///< the largest `told`
 };
 
 /// Which eye sees, and how.

@@ -60,7 +60,8 @@ WallRenderer::WallRenderer(Graphics& graphics, const Scene& scene, double lightS
 WallRenderer::~WallRenderer() { graphics_.makeCurrent(); }
 
 void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-                        const Switches& switches, const Ghosts& ghosts, const SoftLook& soft) {
+                        const Switches& switches, const Ghosts& ghosts, const SoftLook& soft,
+                        std::span<const HotBlows> heat) {
   for (const std::span<const BodyView> views : {bodies, ghosts.boardNow, ghosts.myNow}) {
     if (views.size() == drawing_->bodyCount || (views.empty() && views.data() != bodies.data())) continue;
     throw std::invalid_argument(
@@ -70,7 +71,7 @@ void WallRenderer::look(const Lorentz& headFromBoard, const EyeView& eye, std::s
     throw std::invalid_argument("what rests on the board has turned");
   }
   graphics_.makeCurrent();
-  drawing_->bodies.look(headFromBoard, eye, bodies, switches, ghosts, soft);
+  drawing_->bodies.look(headFromBoard, eye, bodies, switches, ghosts, soft, heat);
 }
 
 std::size_t WallRenderer::draw(std::span<const WallPicture> walls, const glm::dvec3& eyeInRoom_m) {

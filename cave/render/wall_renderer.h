@@ -13,6 +13,7 @@
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
 #include "cave/render/ghosts.h"
+#include "cave/render/hot_bodies.h"
 #include "cave/render/soft_drawer.h"
 #include "cave/room/wall.h"
 #include "cave/scene/scene.h"
@@ -61,11 +62,13 @@ class WallRenderer {
   WallRenderer& operator=(const WallRenderer&) = delete;
 
   /// Sets what one eye receives: `bodies[i]` is body i of the scene, viewed by `eye` in the frame
-  /// `headFromBoard` with these switches, but for the soft bodies that have rows in `soft`. The first frame
+  /// `headFromBoard` with these switches, but for the soft bodies that have rows in `soft`.
+  /// `heat` is of every body or none, and must last while the eye is drawn. The first frame
   /// after a change of switches takes longer, and so does the first frame with ghosts of a kind. Throws
   /// std::invalid_argument if the number of bodies is not that of the scene.
   void look(const Lorentz& headFromBoard, const EyeView& eye, std::span<const BodyView> bodies,
-            const Switches& switches = {}, const Ghosts& ghosts = {}, const SoftLook& soft = {});
+            const Switches& switches = {}, const Ghosts& ghosts = {}, const SoftLook& soft = {},
+            std::span<const HotBlows> heat = {});
 
   /// Draws what the eye last given to `look` sees on walls from `eyeInRoom_m` (the tracked eye at the time
   /// when the photons leave the walls), each into as many columns of its picture as the wall has. The picture

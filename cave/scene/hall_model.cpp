@@ -26,7 +26,7 @@ ScenePart floorPart(const Hall& hall, double cell_m) {
     const glm::dvec2 place((u - 0.5) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
     return PatchPoint{{place, hall.floor_m}};
   });
-  return {kRestingBody, floor.build(), Paint::floor, glm::vec3(0.50F, 0.43F, 0.34F), 0.05F};
+  return {kRestingBody, floor.build(), Paint::floor, glm::vec3(0.50F, 0.43F, 0.34F), 0.45F};
 }
 
 /// Returns the middles of the flat lamps under the ceiling.
@@ -85,7 +85,7 @@ ScenePart columnsPart(const Hall& hall) {
       columns.addTurned({x, sy * (0.5 * hall.size_m.y - 0.9), hall.floor_m}, profile, 20, kColumnCell_m);
     }
   }
-  return {kRestingBody, columns.build(), Paint::plain, glm::vec3(0.60F, 0.56F, 0.48F), 0.1F};
+  return {kRestingBody, columns.build(), Paint::plain, glm::vec3(0.60F, 0.56F, 0.48F), 0.35F};
 }
 
 std::vector<ScenePart> wallClocks(const Hall& hall, double cell_m) {
@@ -139,7 +139,7 @@ std::vector<ScenePart> lampParts(std::span<const glm::dvec3> lamps_m, double cei
     shades.addTurned(lamp, {{0.008, 0.16}, {0.008, ceiling_m - lamp.z}}, 6, cell_m);
     bulbs.addTurned(lamp, {{0.0, 0.0}, {0.11, 0.0}, {0.22, 0.0}}, 24, cell_m);
   }
-  return {{kRestingBody, shades.build(), Paint::plain, glm::vec3(0.03F, 0.10F, 0.06F), 0.3F},
+  return {{kRestingBody, shades.build(), Paint::plain, glm::vec3(0.03F, 0.10F, 0.06F), 0.18F},
           {kRestingBody, bulbs.build(), Paint::lamp, glm::vec3(2.6F, 2.3F, 1.9F), 0.0F}};
 }
 

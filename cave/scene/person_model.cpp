@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-constexpr float kGloss = 0.3F;
+constexpr float kRoughness = 0.35F;
 constexpr glm::vec3 kGlasses(0.02F), kWood(0.60F, 0.28F, 0.08F), kHair(0.055F, 0.028F, 0.014F);
 
 /// Returns shoulders without arms below a head, wider than deep; as headParts. More of a person would have to
@@ -122,7 +122,7 @@ void addPeople(Scene& scene) {
   const auto hand = ball.build();
   scene.reach_m.resize(scene.bodyCount);
   const auto add = [&](const vtkSmartPointer<vtkPolyData>& mesh, const glm::vec3& colour) {
-    scene.parts.push_back({scene.bodyCount, mesh, Paint::plain, colour, kGloss});
+    scene.parts.push_back({scene.bodyCount, mesh, Paint::plain, colour, kRoughness});
     if (scene.reach_m.size() == scene.bodyCount) scene.reach_m.push_back(0.0);
     scene.reach_m.back() = std::max(scene.reach_m.back(), reachOf(*mesh));
   };

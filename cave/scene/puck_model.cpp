@@ -24,6 +24,7 @@ namespace carom {
 namespace {
 
 constexpr int kSectors = 72;
+constexpr float kLacquer = 0.14F, kPaint = 0.18F;  // roughness
 
 /// How finely a puck is divided: the finest mesh as its roundness and slow light need, coarser ones ever
 /// less.
@@ -155,7 +156,7 @@ vtkSmartPointer<vtkPolyData> puckMesh(double radius_m, double height_m, const Fi
 
 std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t body, const glm::vec3& colour,
                                  double cell_m) {
-  ScenePart puck{body, puckMesh(radius_m, height_m, {cell_m}), Paint::puck, colour, 0.5F};
+  ScenePart puck{body, puckMesh(radius_m, height_m, {cell_m}), Paint::puck, colour, kLacquer};
   for (int halvings = 1; halvings <= kCoarserPucks; ++halvings) {
     // Light bends them less than roundness shows: their cells may be larger than their sectors are wide.
     const Fineness fineness{std::min(cell_m * (1 << (2 * halvings)), kLitCell_m), halvings};
@@ -182,7 +183,7 @@ ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
                 [&](double u, double v) { return around(turn * u, (1.0 - v) * kRadius_m, 0.5 * kLength_m); });
   mesh.addPatch(sectors, across,
                 [&](double u, double v) { return around(turn * u, v * kRadius_m, -0.5 * kLength_m); });
-  return {body, mesh.build(), Paint::bands, colour, 0.3F};
+  return {body, mesh.build(), Paint::bands, colour, kPaint};
 }
 
 ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
@@ -214,7 +215,14 @@ ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& whole, std::size_t bod
   surface->SetNumberOfTuples(mesh->GetNumberOfPoints());
   surface->Fill(0.0);
   mesh->GetPointData()->AddArray(surface);
-  return {body, mesh, Paint::plain, colour, 0.3F};
+  return {body, mesh, Paint::plain, colour, kPaint};
+}
+
+void paintSectors(ScenePart& part, int sectors, double radius_m) {
+  vtkDataArray& surface = *part.mesh->GetPointData()->GetArray("surface");
+  surface.FillComponent(0, sectors);
+  surface.FillComponent(1, radius_m);
+  part.paint = Paint::sectors;
 }
 
 }  // namespace carom

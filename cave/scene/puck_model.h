@@ -28,6 +28,9 @@ ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, st
                    const glm::vec3& colour, const Tessellation& tessellation,
                    const std::optional<MeshPlace>& place = {});
 
+/// Paints a mesh, which fits into a cylinder of this radius, in an even number of sectors around the z axis.
+void paintSectors(ScenePart& part, int sectors, double radius_m);
+
 /// Returns a mesh as it stands, in metres from the body's centre.
 ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& mesh, std::size_t body, const glm::vec3& colour,
                       const Tessellation& tessellation);

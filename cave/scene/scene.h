@@ -67,6 +67,7 @@ struct Scene {
   std::size_t firstPerson = 0;
   /// For each body, how far its points reach from its centre (the radius of its world line).
   std::vector<double> reach_m;
+  std::vector<double> coldMasses_kg;    ///< of the pucks, in the order of the setup
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
   std::vector<FollowedLamp>

@@ -144,6 +144,7 @@ BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& c
     BuiltBody built{shadowsOf(looks, body, tessellation),
                     static_cast<std::size_t>(mesh->GetNumberOfPoints())};
     built.parts.push_back(meshPart(mesh, looks.radius_m, body, colour, tessellation, looks.meshPlace));
+    if (looks.sectors > 0) paintSectors(built.parts.back(), looks.sectors, looks.radius_m);
     return built;
   }
   if (!looks.outline_m.empty()) {
@@ -165,7 +166,7 @@ class BuiltBodies {
   const BuiltBody& of(const BodyLooks& looks, std::size_t body, const glm::vec3& colour, const Build& build) {
     const auto [found, isNew] =
         built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m, outlineOf(looks),
-                                      looks.meshPlace ? looks.meshPlace->scale : 0.0));
+                                      looks.meshPlace ? looks.meshPlace->scale : 0.0, looks.sectors));
     BuiltBody& like = found->second;
     if (isNew) {
       like = build();
@@ -187,7 +188,8 @@ class BuiltBodies {
     return corners;
   }
 
-  std::map<std::tuple<std::string, double, double, std::vector<std::pair<double, double>>, double>, BuiltBody>
+  std::map<std::tuple<std::string, double, double, std::vector<std::pair<double, double>>, double, int>,
+           BuiltBody>
       built_;
 };
 
@@ -261,6 +263,7 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
                  std::span<const BodyLooks> told, const Hall& hall, const Tessellation& tessellation) {
   Scene scene;
   scene.bodyCount = 1 + pucks.size() + told.size();
+  for (const Puck& puck : setup.pucks) scene.coldMasses_kg.push_back(puck.mass_kg);
   const glm::dvec2 table_m =
       setup.board ? glm::dvec2(setup.board->length_m, setup.board->width_m) : glm::dvec2(kOpenPlane_m);
   Hall around = hall;

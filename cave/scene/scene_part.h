@@ -19,17 +19,18 @@ namespace carom {
 
 /// How a surface is painted; each is one small fragment shader, cave/render/shaders/paint_NAME.glsl.
 enum class Paint {
-  plain,   ///< colour alone
-  cloth,   ///< of the table
-  wood,    ///< rails, with diamonds
-  floor,   ///< tiles
-  panels,  ///< walls and ceiling of the hall
-  puck,    ///< sectors, rings and rim marks that show how it is deformed
-  soft,    ///< a soft puck's rings and spokes, or its strain or heat
-  bands,   ///< of a rod
-  shadow,  ///< on the cloth under a puck
-  clock,   ///< digits showing the board time at which their light left
-  lamp,    ///< shines
+  plain,    ///< colour alone
+  cloth,    ///< of the table
+  wood,     ///< rails, with diamonds
+  floor,    ///< tiles
+  panels,   ///< walls and ceiling of the hall
+  puck,     ///< sectors, rings and rim marks that show how it is deformed
+  soft,     ///< a soft puck's rings and spokes, or its strain or heat
+  bands,    ///< of a rod
+  sectors,  ///< around a mesh's axis, alternately in its colour and pale
+  shadow,   ///< on the cloth under a puck
+  clock,    ///< digits showing the board time at which their light left
+  lamp,     ///< shines
 };
 
 /// A mesh for the same part that may stand for it where its cells, up to `cell_m` long and drawn flat, and
@@ -48,7 +49,7 @@ struct ScenePart {
   vtkSmartPointer<vtkPolyData> mesh;
   Paint paint = Paint::plain;
   glm::vec3 colour{1.0F};              ///< linear light, the share reflected
-  float gloss = 0.0F;                  ///< strength of the highlight; cloth and panels have none
+  float roughness = 0.0F;              ///< Trowbridge and Reitz's α of its varnish; 0: it has none
   bool isRound = false;                ///< looks the same however the body has turned
   std::vector<CoarserMesh> coarser{};  ///< for eyes farther and farther away
 };
@@ -62,6 +63,7 @@ struct BodyLooks {
   double height_m = 0.0;                 ///< of the built-in puck
   std::vector<glm::dvec2> outline_m{};   ///< corners of the built-in puck; none: a disc
   std::optional<MeshPlace> meshPlace{};  ///< of a mesh that is not scaled to the radius
+  int sectors = 0;  ///< an even number, in which a mesh is painted around its axis; 0: it has one colour
   bool isDrawn = true;
 };
 

@@ -134,7 +134,7 @@ std::vector<ScenePart> tableParts(const Board& board, double floor_m) {
   std::vector<ScenePart> parts;
   parts.push_back(clothPart({board.length_m, board.width_m}, cell_m));
   parts.push_back({kRestingBody, cushions.build(), Paint::plain, 0.85F * kClothColour, 0.0F});
-  parts.push_back({kRestingBody, wood.build(), Paint::wood, kWoodColour, 0.35F});
+  parts.push_back({kRestingBody, wood.build(), Paint::wood, kWoodColour, 0.2F});
   for (ScenePart& part : clocks.parts()) parts.push_back(std::move(part));
   return parts;
 }
@@ -166,7 +166,7 @@ void ClockMaker::add(const glm::dvec3& foot_m, const glm::dvec3& facing, double 
 }
 
 std::vector<ScenePart> ClockMaker::parts() const {
-  return {{kRestingBody, cases_.build(), Paint::plain, glm::vec3(0.035F, 0.033F, 0.030F), 0.3F},
+  return {{kRestingBody, cases_.build(), Paint::plain, glm::vec3(0.035F, 0.033F, 0.030F), 0.2F},
           {kRestingBody, faces_.build(), Paint::clock, glm::vec3(1.0F, 0.50F, 0.09F), 0.0F}};
 }
 

@@ -17,6 +17,10 @@
 // A lamp is seen by the body under a solid angle that aberration makes D_l⁻² times as large, so that what it
 // lights it lights by D_l⁻² times the above (with searchlight; without, the power is kept).
 //
+// Hot matter is a black body in its own frame. Its temperature is a convention of this program, so that heat
+// can be seen whose mass is a share of the cold mass m: T = 800 K + 2400 K (M/m − 1), at most 6500 K; light
+// at 1.42 m/s makes a joule heavy, and no table of heats of real matter applies.
+//
 // On the GPU (doppler_kernel.glsl) the integral is a sum over six bands of light λ_k,
 //   B(λ, heat T)/B(λ, T) ≈ Σ_k c_k(λ) B(λ_k, heat T)/B(λ_k, T),
 // with c_k(λ) fitted for all heats: black bodies differ smoothly, and six numbers tell them apart. Then
@@ -73,6 +77,7 @@ std::array<Vec3, 6> whiteOfBands();
 namespace carom::colour_kernel {
 using glm::dot;
 using glm::exp;
+using glm::max;
 using glm::min;
 using real = float;
 using vec2 = glm::vec2;

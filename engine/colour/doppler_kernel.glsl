@@ -63,6 +63,27 @@ KERNEL vec3 seenWhite(Bands light) {
               dot(light.first, kWhiteBlueFirst) + dot(light.last, kWhiteBlueLast));
 }
 
+/// Temperature of matter whose heat makes it 1 + `heat` times as heavy as it is cold, over the reference
+/// temperature: T = 800 K + 2400 K (M/m − 1), at most 6500 K.
+KERNEL real temperatureOf(real heat) { return min((real(800) + real(2400) * heat) / real(6500), real(1)); }
+
+/// Luminance of the reference light itself, 683 lm/W ∫ ȳ B(λ, 6500 K) dλ, over that of white in the hall,
+/// which is lit like a film set: 2000 cd/m².
+const real kReferenceOverHall = real(1.5372e6);
+
+/// Linear sRGB of the light that hot matter emits, a black body in its own frame: at the head one of D times
+/// the temperature.
+KERNEL vec3 seenGlow(real heat, real bodyToHead, bool colour, bool searchlight) {
+  real temperature = temperatureOf(heat) * (colour ? bodyToHead : real(1));
+  return kReferenceOverHall * radiancePower(bodyToHead, colour, searchlight) * seenWhite(blackBody(temperature));
+}
+
+/// Bright light as film takes it: its colour stays, and its luminance Y becomes Y/(1 + Y/2), as exposed by
+/// `gain`, which never exceeds 2: the print on glowing matter can then be read.
+KERNEL vec3 onFilm(vec3 light, real gain) {
+  return light / (real(1) + real(0.5) * gain * max(dot(light, vec3(0.2126, 0.7152, 0.0722)), real(0)));
+}
+
 /// The matrix that takes a surface's colour, as it is at rest under the reference light, to the colour seen:
 /// its columns are what red, green and blue surfaces show. Green is what white has more than those two.
 KERNEL mat3 seenColour(COLOUR_TABLE table, Bands light, real bodyToHead) {

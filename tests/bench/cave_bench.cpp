@@ -207,7 +207,7 @@ struct Million {
 };
 
 /// Sheets over the floor, each nearer to the eye than those before: every pixel of each is painted.
-Scene sheets(Paint paint, float gloss, int count) {
+Scene sheets(Paint paint, float roughness, int count) {
   Scene scene;
   for (int i = 0; i < count; ++i) {
     MeshBuilder mesh;
@@ -215,7 +215,7 @@ Scene sheets(Paint paint, float gloss, int count) {
       const glm::dvec2 place(4.0 * u - 2.0, 4.0 * v - 3.6);
       return PatchPoint{{place, 0.002 * i}, {place, 0.4}};
     });
-    scene.parts.push_back({kRestingBody, mesh.build(), paint, glm::vec3(0.5F, 0.4F, 0.3F), gloss});
+    scene.parts.push_back({kRestingBody, mesh.build(), paint, glm::vec3(0.5F, 0.4F, 0.3F), roughness});
   }
   scene.bodyCount = 1;
   scene.lamps_m = {{{-1.0, 0.0, 1.45}, {0.0, 0.0, 1.45}, {1.0, 0.0, 1.45}}};
@@ -381,7 +381,7 @@ void twentySpinning(benchmark::State& state) {
 
 // A pixel of one paint, light included: what 32 sheets that fill a wall take more than one, over their
 // pixels.
-void pixel(benchmark::State& state, Paint paint, float gloss) {
+void pixel(benchmark::State& state, Paint paint, float roughness) {
   graphics().makeCurrent();
   const Wall floor = walls(kSide_px)[3];
   RenderTarget picture(floor.pixels);
@@ -397,7 +397,7 @@ void pixel(benchmark::State& state, Paint paint, float gloss) {
     glFinish();
   };
   constexpr int kMany = 32;
-  const Scene few = sheets(paint, gloss, 1), many = sheets(paint, gloss, kMany);
+  const Scene few = sheets(paint, roughness, 1), many = sheets(paint, roughness, kMany);
   struct Pair {
     const char* name;
     Switches switches;

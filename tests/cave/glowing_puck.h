@@ -21,7 +21,7 @@ inline Scene glowingPuck(double radius_m, const glm::vec3& colour = glm::vec3(1.
   for (ScenePart& part : puckParts(radius_m, 0.8 * radius_m, 1, colour)) {
     if (part.paint != Paint::puck) continue;
     part.paint = Paint::lamp;
-    part.gloss = 0.0F;
+    part.roughness = 0.0F;
     scene.parts.push_back(part);
   }
   return scene;

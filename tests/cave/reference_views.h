@@ -126,7 +126,7 @@ inline void addNumbered(Scene& to, const Scene& scene, std::size_t body, int num
     if (part.body != body || part.paint == Paint::shadow) continue;
     part.paint = Paint::lamp;
     part.colour = numberColour(number);
-    part.gloss = 0.0F;
+    part.roughness = 0.0F;
     to.parts.push_back(part);
   }
 }

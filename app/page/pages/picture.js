@@ -231,7 +231,8 @@ class Picture {
     set("legCount", "uniform1i", layer.ranges[3 * body + 1]);
     set("appears_m", "uniform1f", Math.max(layer.ranges[3 * body + 2], -1e30));
     set("partColour", "uniform3fv", new Float32Array(part.colour));
-    set("gloss", "uniform1f", part.gloss);
+    set("roughness", "uniform1f", part.roughness);
+    set("seenShare", "uniform1f", 1);
     set("tint", "uniform1f", part.number % 3);
     set("nearer", "uniform1f", isGhost || part.isDecal ? 0.002 : (0.0005 * body) / about.bodies.length);
     if (isGhost) set("ghostColour", "uniform3fv", new Float32Array(about.ghostColours[layer.moment - 1]));

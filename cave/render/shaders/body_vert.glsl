@@ -4,9 +4,10 @@
 // The program is compiled with these macros. True or false are the switches RETARDED, CONTRACTED, ABERRATED,
 // COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined
 // or not are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it
-// has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; GHOST,
-// the body is shown at one moment and is not lit; LAMPS, the only light is that of lamps that go on, as it
-// arrives; FOLLOWED, its points move by themselves and have been solved for.
+// has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; HOT, its
+// matter glows by its heat; GHOST, the body is shown at one moment and is not lit; LAMPS, the only light is
+// that of lamps that go on, as it arrives; FOLLOWED, its points move by themselves and have been solved for.
+// Theory: app/doc/physics.md, Colour.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
 in vec3 normalMC;
@@ -30,10 +31,11 @@ uniform mat4 boardFromDrawn;
 uniform vec4 headOnBoard;      // γ, γβ
 uniform vec3 eyeOnBoard_m;     // where the eye receives the light
 uniform vec3 lamps_m[3];       // at rest on the board
-uniform float gloss;
-uniform vec3 partColour;     // linear, the share reflected
+uniform float roughness;       // of the varnish; 0: there is none
+uniform vec3 partColour;       // linear, the share reflected
+uniform float seenShare;       // of its light, which the picture shows
 uniform float tint;            // 0, 1 or 2, of this part
-uniform vec3 eyeExposure;    // engine/colour/exposure.h
+uniform vec3 eyeExposure;      // engine/colour/exposure.h
 uniform float nearer;          // share by which decals are drawn nearer than they are
 
 out vec3 place;       // vertexMC, for painting
@@ -55,6 +57,9 @@ out LIGHT light;      // received by the surface: times its colour is what the e
 #endif
 #ifdef GLOWS
 out LIGHT glow;       // the same for light of its own
+#endif
+#ifdef HOT
+out vec3 heatGlow;    // what its heat sends to the eye (linear)
 #endif
 #if !defined(MATT) && !defined(LAMPS)
 out SHINE shine;      // mirrored to the eye by its varnish
@@ -202,6 +207,54 @@ vec3 onBoardFromEye(Sight sight) {
 #endif
 }
 
+#ifdef HOT
+#ifndef FOLLOWED
+// The collisions that heated the body (cave/render/hot_bodies.h): c (t − t_o) and the place from the eye, on
+// the board; the heat that each brought, over m c²; c times the own time in which 1/e of it is left.
+uniform vec4 blows[4];
+uniform vec4 blowHeats;
+uniform float cooling_m;
+#endif
+
+/// The heat of the matter that is seen here, over m c².
+float heatAt(vec3 fromEye_m) {
+#ifdef FOLLOWED
+  return motionMC.w;
+#else
+  float heat = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    float since_m = boardTime_m - blows[i].x;
+    vec3 way_m = fromEye_m - blows[i].yzw;
+    float square = since_m * since_m - dot(way_m, way_m);
+    if (since_m > 0.0 && square > 0.0) heat += blowHeats[i] * exp(-sqrt(square) / cooling_m);
+  }
+  return heat;
+#endif
+}
+#endif
+
+#ifndef MATT
+/// The share of a lamp's light that varnish mirrors to the eye, over that which a white matt surface facing
+/// the lamp reflects there: π D F G/(4 (n·e)), with unit vectors n, the normal, l to the lamp, e to the eye,
+/// h = (l + e)/|l + e|, all in the rest frame of the surface, and
+///   D = α²/(π ((n·h)² (α² − 1) + 1)²)       facets (Trowbridge and Reitz, JOSA 65, 531 (1975)),
+///   G = G₁(n·l) G₁(n·e),  G₁(x) = 2x/(x + sqrt(α² + (1 − α²) x²))      lamp and eye see this share
+///                                            (Walter and others, EGSR 2007),
+///   F = F₀ + (1 − F₀) (1 − e·h)⁵,  F₀ = 0.04      each mirrors this much (Schlick 1994), as lacquer does.
+float highlight(vec3 normal, vec3 toLamp, vec3 toEye) {
+  if (roughness <= 0.0) return 0.0;
+  vec3 middle = normalize(toLamp + toEye);
+  float nl = dot(normal, toLamp), ne = dot(normal, toEye), nh = dot(normal, middle);
+  if (nl <= 0.0 || ne <= 0.0) return 0.0;
+  float square = roughness * roughness;
+  float facets = nh * nh * (square - 1.0) + 1.0;
+  float grazing = 1.0 - dot(toEye, middle), grazing2 = grazing * grazing;
+  float mirrored = 0.04 + 0.96 * grazing2 * grazing2 * grazing;
+  float inSight = (nl + sqrt(square + (1.0 - square) * nl * nl)) * (ne + sqrt(square + (1.0 - square) * ne * ne));
+  return mirrored * square / (facets * facets) * nl / inSight;
+}
+#endif
+
 /// Follows the light from hall and lamps to the eye.
 void lightUp(Sight sight) {
   vec3 fromEye_m = onBoardFromEye(sight);
@@ -209,7 +262,7 @@ void lightUp(Sight sight) {
   vec3 towardsEye = normalize(-fromEye_m);
   float toHead = dopplerInto(headOnBoard.x, headOnBoard.yzw, towardsEye) /
                  dopplerIntoVertex(sight, towardsEye);
-  float headPower = radiancePower(toHead, COLOURED, SEARCHLIGHT);
+  float headPower = seenShare * radiancePower(toHead, COLOURED, SEARCHLIGHT);
   vec3 toEye = inVertexFrame(sight, towardsEye);
   vec3 normal = normalInVertexFrame(sight);
 
@@ -239,8 +292,7 @@ void lightUp(Sight sight) {
     float strength = litMC[i] * lampStrength(ray) * headPower * lampPower(lampToBody, COLOURED, SEARCHLIGHT);
     float facing = max(dot(normal, toLamp), 0.0);
 #ifndef MATT
-    float mirrored = max(dot(normal, normalize(toLamp + toEye)), 0.0);
-    float varnish = facing > 0.0 ? gloss * strength * pow(mirrored, 60.0) : 0.0;
+    float varnish = facing > 0.0 ? strength * highlight(normal, toLamp, toEye) : 0.0;
 #endif
 #ifdef LAMPS
 #ifdef COLOUR
@@ -276,6 +328,9 @@ void lightUp(Sight sight) {
 #endif
 #elif defined(COLOUR)
   light = seenColour(0, received, toHead);
+#endif
+#ifdef HOT
+  heatGlow = seenShare * onFilm(seenGlow(heatAt(fromEye_m), toHead, COLOURED, SEARCHLIGHT), eyeExposure.x);
 #endif
 #ifdef GLOWS
 #ifdef COLOUR
@@ -405,6 +460,9 @@ void main() {
   float bright = eyeExposure.x * max(dot(light * partColour, vec3(0.2126, 0.7152, 0.0722)), 0.0);
 #ifdef GLOWS
   bright += eyeExposure.x * dot(glow * partColour, vec3(0.2126, 0.7152, 0.0722));
+#endif
+#ifdef HOT
+  bright += eyeExposure.x * max(dot(heatGlow, vec3(0.2126, 0.7152, 0.0722)), 0.0);
 #endif
   tone = (tint + 0.6 * bright / (bright + 0.2)) / 2.6;  // those of different tints never agree
 #endif

@@ -18,6 +18,9 @@ in LIGHT light;         // times the share reflected is what the eye receives (l
 #ifdef GLOWS
 in LIGHT glow;          // times light of its own is that
 #endif
+#ifdef HOT
+in vec3 heatGlow;       // what matter that is not printed on sends by its heat
+#endif
 #if !defined(MATT) && !defined(LAMPS)
 in SHINE shine;         // mirrored by its varnish
 #endif
@@ -106,6 +109,15 @@ vec3 ofBulbs(vec3 arrived) {
 #endif
 #endif
 
+#ifdef HOT
+/// How bright the print on a hot body leaves it: dark ink glows as little as it reflects, so that lines and
+/// letters stay visible.
+float throughPrint(vec3 reflects) {
+  const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
+  return min(dot(reflects, kLuminance) / max(dot(colour, kLuminance), 1e-3), 1.0);
+}
+#endif
+
 //CAROM::Paint
 
 void main() {
@@ -131,6 +143,9 @@ void main() {
 #endif
 #ifdef GLOWS
   seen += glow * painted.shines;
+#endif
+#ifdef HOT
+  seen += heatGlow * throughPrint(painted.reflects);
 #endif
 #ifdef SHADOW
   float alpha = painted.cover;

@@ -11,6 +11,7 @@
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/overlay/band_layout.h"
 #include "cave/overlay/panel_place.h"
+#include "cave/overlay/sentences.h"
 #include "places.h"
 
 namespace carom {
@@ -73,11 +74,19 @@ TEST(LessonLetters, LinesAreNoWiderThanTheBand) {
     for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {
       const Scenario scenario = readScenario(entry.path());
       if (!scenario.lesson) continue;
-      for (const LessonPhase phase : {LessonPhase::asks, LessonPhase::shows, LessonPhase::explains}) {
+      std::vector<std::pair<LessonPhase, double>> moments{{LessonPhase::asks, 0.0},
+                                                          {LessonPhase::shows, 0.0}};
+      double explained_s = 0.0;
+      for (const std::string_view sentence : sentencesOf(scenario.lesson->words.number)) {
+        moments.emplace_back(LessonPhase::explains, explained_s);
+        explained_s += standsFor_s(sentence);
+      }
+      for (const auto& [phase, since_s] : moments) {
         FrameRecord record;
         record.lesson = {phase, 1};
         std::vector<HudLine> lines;
-        describe(record, scenario.lesson->words, scenario.lesson->plan, {}, bandRoom(front), lines);
+        describe(record, scenario.lesson->words, scenario.lesson->plan, {}, bandRoom(front), lines, true,
+                 since_s);
         for (const HudLine& line : lines) {
           const double indent_px = line.setIn ? 1.6 * kHeight_px : 0.0;
           EXPECT_LE(ink(line.text, kHeight_px).size_px.x + indent_px + 2.5 * kHeight_px, wide_px)

@@ -77,6 +77,23 @@ TEST(Scenario, ReadsTasksAndLamps) {
   refused("goal = { hit = 'red' }\n" + task + "goal = { hit = 'red' }\n");
 }
 
+// The wheel's mesh is painted in sectors, an even number, and its lesson offers two effects.
+TEST(Scenario, ReadsTheSectorsOfAMeshAndTheEffectsOfALesson) {
+  const std::string wheel = test::contentOf(CAROM_CONFIG_DIR "/scenarios/rolling-wheel.toml");
+  const auto with = [&](const std::string& old, const std::string& other) {
+    std::string text = wheel;
+    text.replace(text.find(old), old.size(), other);
+    return text;
+  };
+  const Scenario scenario = read(wheel);
+  EXPECT_EQ(scenario.puckMeshes.at(0)->sectors, 8);
+  EXPECT_EQ(scenario.lesson->plan.effects, (std::vector<std::uint8_t>{0, 1}));
+  EXPECT_EQ(read(with("sectors = 8", "")).puckMeshes.at(0)->sectors, 0);
+  EXPECT_THROW(read(with("sectors = 8", "sectors = 7")), InputErrors);
+  EXPECT_THROW(read(with("mesh = \"models/wheel.obj\"", "")), InputErrors);
+  EXPECT_THROW(read(with("\"retardation\", \"contraction\"", "\"retardaton\"")), InputErrors);
+}
+
 TEST(Scenario, EveryShippedFileIsRight) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(CAROM_CONFIG_DIR "/scenarios")) {

@@ -36,59 +36,61 @@ PickResult on(std::size_t puck) {
 
 TEST(Cue, IsHeldForOnePuckUntilItIsLetGo) {
   Cue cue;
-  EXPECT_FALSE(cue.step(handOf("wand", false), on(1), false).letGo);
+  EXPECT_FALSE(cue.step(handOf("wand", false), on(1)).letGo);
   EXPECT_FALSE(cue.target());
-  EXPECT_FALSE(cue.step(handOf("wand", true), on(1), false).letGo);
+  EXPECT_FALSE(cue.step(handOf("wand", true), on(1)).letGo);
   EXPECT_EQ(cue.target(), 1u);
-  cue.step(handOf("wand", true, {0, 0, 0.1}), on(2), false);  // it points elsewhere
-  cue.step(handOf("wand", true, {0, 0, 0.2}), kNothing, false);
+  cue.step(handOf("wand", true, {0, 0, 0.1}), on(2));  // it points elsewhere
+  cue.step(handOf("wand", true, {0, 0, 0.2}), kNothing);
   EXPECT_EQ(cue.target(), 1u);
-  const Cue::Outcome outcome = cue.step(handOf("wand", false), on(0), false);  // its pull is told no more
+  const Cue::Outcome outcome = cue.step(handOf("wand", false), on(0));  // its pull is told no more
   EXPECT_EQ(outcome.letGo, 1u);
   EXPECT_EQ(outcome.refused.english(), "");
   EXPECT_EQ(cue.pull_m(), Vec3(0, 0, 0.2));
   EXPECT_FALSE(cue.target());
-  EXPECT_FALSE(cue.step(handOf("wand", false), on(0), false).letGo) << "once";
+  EXPECT_FALSE(cue.step(handOf("wand", false), on(0)).letGo) << "once";
 }
 
 TEST(Cue, WhatCannotBeIsRefusedOnceAndInWords) {
   PickResult behind;
   behind.behind = true;
-  const auto refusalOf = [](const PickResult& pointed, bool frozen) {
+  const auto refusalOf = [](const PickResult& pointed, const CueState& state = {}) {
     Cue cue;
-    cue.step(handOf("mouse", false), pointed, frozen);
-    const std::string words = cue.step(handOf("mouse", true), pointed, frozen).refused.english();
-    EXPECT_EQ(cue.step(handOf("mouse", true), on(0), false).refused.english(), "")
+    cue.step(handOf("mouse", false), pointed, state);
+    const std::string words = cue.step(handOf("mouse", true), pointed, state).refused.english();
+    EXPECT_EQ(cue.step(handOf("mouse", true), on(0)).refused.english(), "")
         << "a held button says nothing new";
     EXPECT_FALSE(cue.target()) << "nor does it take hold of what it is moved to";
-    EXPECT_FALSE(cue.step(handOf("mouse", false), on(0), false).letGo);
+    EXPECT_FALSE(cue.step(handOf("mouse", false), on(0)).letGo);
     return words;
   };
-  EXPECT_EQ(refusalOf(kNothing, false), "Point at a puck, then drag back");
-  EXPECT_EQ(refusalOf(behind, false), "The puck is behind your hand: point the other way");
-  EXPECT_EQ(refusalOf(on(0), true), "Nothing can be struck while time stands still or in a lesson");
+  EXPECT_EQ(refusalOf(kNothing), "Point at a puck, then drag back");
+  EXPECT_EQ(refusalOf(kNothing, {.isRinged = true}), "Point at the ringed puck, then drag back");
+  EXPECT_EQ(refusalOf(behind), "The puck is behind your hand: point the other way");
+  EXPECT_EQ(refusalOf(on(0), {.frozen = true}), "Nothing can be struck while time stands still");
+  EXPECT_EQ(refusalOf(on(0), {.frozen = true, .inLesson = true}),
+            "Pucks cannot be struck in a lesson. Enter: explanation");
 }
 
 TEST(Cue, ADeviceThatIsLostMidStrokeCancelsIt) {
   for (const HandInput& next : {HandInput(), handOf("mouse", true, {0.3, 0, 0}), handOf("mouse", false)}) {
     Cue cue;
-    cue.step(handOf("wand", true), on(0), false);
-    cue.step(handOf("wand", true, {0, 0, 0.2}), on(0), false);
-    const Cue::Outcome outcome = cue.step(next, on(0), false);
+    cue.step(handOf("wand", true), on(0));
+    cue.step(handOf("wand", true, {0, 0, 0.2}), on(0));
+    const Cue::Outcome outcome = cue.step(next, on(0));
     EXPECT_EQ(outcome.refused.english(), "The wand is lost: no stroke");
     EXPECT_FALSE(outcome.letGo);
     EXPECT_FALSE(cue.target());
-    EXPECT_FALSE(cue.step(handOf("wand", false), on(0), false).letGo)
-        << "back again, it is let go of nothing";
+    EXPECT_FALSE(cue.step(handOf("wand", false), on(0)).letGo) << "back again, it is let go of nothing";
   }
 }
 
 TEST(Cue, TimeThatIsStoppedMidStrokeCancelsIt) {
   Cue cue;
-  cue.step(handOf("wand", true), on(0), false);
-  EXPECT_EQ(cue.step(handOf("wand", true, {0, 0, 0.2}), on(0), true).refused.english(),
+  cue.step(handOf("wand", true), on(0));
+  EXPECT_EQ(cue.step(handOf("wand", true, {0, 0, 0.2}), on(0), {.frozen = true}).refused.english(),
             "Time stands still: no stroke");
-  EXPECT_FALSE(cue.step(handOf("wand", false), on(0), false).letGo);
+  EXPECT_FALSE(cue.step(handOf("wand", false), on(0)).letGo);
 }
 
 TEST(Cue, APullOfFifteenCentimetresIsTheRestMomentum) {

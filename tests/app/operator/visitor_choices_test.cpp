@@ -10,6 +10,7 @@
 
 #include "app/files/scenario.h"
 #include "app/operator/wall_commands.h"
+#include "cave/record/effects.h"
 #include "cave/texts/texts.h"
 #include "places.h"
 
@@ -66,6 +67,19 @@ TEST(WallCommands, TheButtonOfSpacetimeTurnsItsViewOnAndOff) {
     EXPECT_TRUE(readScenario(fileOfGame(lesson)).lesson->plan.offersSpacetime) << lesson;
 }
 
+TEST(WallCommands, TheButtonOfAnEffectTurnsItOffAndOn) {
+  OperatorSettings settings;
+  for (const NamedSwitch& effect : kNamedSwitches) {
+    const WallAction button{WallAction::Kind::effect, numberOf(effect.value)};
+    for (const bool on : {false, true}) {
+      settings.switches.*effect.value = on ? 0 : 1;
+      EXPECT_EQ(commandOf(button, settings), Command(SetSwitch{effect.value, false, on})) << effect.name;
+    }
+  }
+  EXPECT_EQ(readScenario(fileOfGame("rolling-wheel")).lesson->plan.effects,
+            (std::vector<std::uint8_t>{numberOf(&Switches::retardation), numberOf(&Switches::contraction)}));
+}
+
 TEST(VisitorChoices, TheFirstMinuteOffersTheChoices) {
   EXPECT_TRUE(readScenario(fileOfGame(kWelcome)).choices);
   EXPECT_TRUE(readScenario(fileOfGame(kShowMe)).choices);
@@ -85,8 +99,10 @@ TEST(VisitorChoices, TheWelcomeGoesOnByItselfAndSaysHowToStrike) {
       EXPECT_EQ(caption.handText.find(key), std::string::npos) << "a wand has no keys: " << caption.handText;
     EXPECT_FALSE(caption.handText.empty());
   }
-  std::size_t moving = 0;
+  // Some move from before the beginning on, others are struck as it begins.
+  std::size_t moving = welcome.billiard.strokes.size();
   for (const Puck& puck : welcome.billiard.pucks) moving += glm::length(puck.beta) > 0.1 ? 1U : 0U;
+  for (const Stroke& stroke : welcome.billiard.strokes) EXPECT_EQ(stroke.at_s, 0.0);
   EXPECT_GT(moving, welcome.billiard.pucks.size() / 2);
 }
 

@@ -115,6 +115,7 @@ class Lived {
       record.switches = switches;
       const CueInteraction::Outcome outcome =
           play.step(hand(number_, record.viewers[0].observer, game), still, game, record);
+      if (isRinged) play.offer(0, game, record);
       if (!outcome.said.empty()) said.push_back(outcome.said.english());
       if (myNow) game.playToNowOf(record.viewers[0].observer);
       game.advance(latestObservation_s(record.viewers[0].observer), state);
@@ -144,6 +145,7 @@ class Lived {
   Rig rig;
   Switches switches;
   bool myNow = true, still = false;
+  bool isRinged = false;  // as for a beginner
   std::vector<Stroke> strokes;
   std::vector<std::string> said;
   std::vector<FrameState> states;
@@ -494,6 +496,20 @@ TEST(CueInteraction, AStrokeGivesItsMomentumWhenItsLightArrivesAndSaysSo) {
   EXPECT_EQ(handAt(135).u, 0.0);
 }
 
+// Beside all pucks; a beginner is told of the ring that they see.
+TEST(CueInteraction, ARingIsSpokenOfWhereThereIsOne) {
+  const TemporaryFolder folder;
+  for (const bool isRinged : {false, true}) {
+    Lived lived(folder, stillGame(), isRinged ? "ringed.db" : "plain.db");
+    lived.isRinged = isRinged;
+    lived.live(10, [](std::uint64_t frame, const ObserverView&, const Game&) {
+      return HandInput{"mouse", {0, 1.6, 0}, {0, 1, 0}, Eye::middle, frame > 5, Vec3(0.0)};
+    });
+    EXPECT_EQ(lived.said, std::vector<std::string>{isRinged ? "Point at the ringed puck, then drag back"
+                                                            : "Point at a puck, then drag back"});
+  }
+}
+
 TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
   const TemporaryFolder folder;
   int files = 0;
@@ -510,7 +526,7 @@ TEST(CueInteraction, WhatCannotBeStruckIsSaidAndTheSessionGoesOn) {
   EXPECT_EQ(saidOf(stillGame(), pulled(1, {0, 0, 0.2}, true)),
             "The puck is behind your hand: point the other way");
   EXPECT_EQ(saidOf(stillGame(), pulled(1, {0, 0, 0.2}), true),
-            "Nothing can be struck while time stands still or in a lesson");
+            "Nothing can be struck while time stands still");
   EXPECT_EQ(saidOf(stillGame(),
                    [](std::uint64_t frame, const ObserverView&, const Game&) {
                      return HandInput{"mouse", {0, 1.6, 0}, {0, 1, 0}, Eye::middle, frame > 5, Vec3(0.0)};

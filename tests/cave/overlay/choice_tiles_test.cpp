@@ -122,7 +122,7 @@ std::vector<WallAction::Kind> kindsOf(const FrameRecord& record, const OfferedTi
 /// The kinds, and behind them the Doppler colour, which every game with choices offers outside lessons and
 /// tasks.
 std::vector<WallAction::Kind> withColour(std::vector<WallAction::Kind> kinds) {
-  kinds.push_back(WallAction::Kind::colour);
+  kinds.push_back(WallAction::Kind::effect);
   return kinds;
 }
 
@@ -151,16 +151,16 @@ TEST(ChoiceTiles, WhatKeysDoIsOfferedWhereItDoesSomething) {
   };
   FrameRecord record;
   record.boardFromRoom = Lorentz(1.42);
-  EXPECT_EQ(kindsOf(record, {true, false, false}), with({Kind::colour}));
-  EXPECT_EQ(kindsOf(record, {true, true, false}), with({Kind::keys, Kind::colour}));
+  EXPECT_EQ(kindsOf(record, {true, false, false}), with({Kind::effect}));
+  EXPECT_EQ(kindsOf(record, {true, true, false}), with({Kind::keys, Kind::effect}));
   EXPECT_EQ(kindsOf(record, {false, true, false}), Kinds{});
   EXPECT_EQ(kindsOf(record, {false, true, true}), Kinds{Kind::home});
   record.viewers[0].score.caroms = 1;
-  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::home, Kind::keys, Kind::colour}));
+  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::home, Kind::keys, Kind::effect}));
   EXPECT_EQ(kindsOf(record, {true, true, false}),
-            with({Kind::goOn, Kind::keepShot, Kind::keys, Kind::colour}));
+            with({Kind::goOn, Kind::keepShot, Kind::keys, Kind::effect}));
   record.drive.mode = DriveMode::home;
-  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::keepShot, Kind::keys, Kind::colour}))
+  EXPECT_EQ(kindsOf(record, {true, true, true}), with({Kind::goOn, Kind::keepShot, Kind::keys, Kind::effect}))
       << "under way already";
   record.drive.mode = DriveMode::free;
   record.views.frozen = 1;

@@ -10,6 +10,7 @@
 #include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
 #include "cave/overlay/panel_place.h"
+#include "cave/record/effects.h"
 
 namespace carom {
 namespace {
@@ -224,6 +225,28 @@ TEST(HudPanel, AnExplanationMayOfferSpacetime) {
   EXPECT_EQ(offered(true), texts::lesson::kSpacetime.words());
   record.views.spacetime = 1;
   EXPECT_EQ(offered(true), std::string(texts::lesson::kSpacetime.words()) + " *");
+}
+
+TEST(HudPanel, ALessonMayOfferEffects) {
+  LessonPlan plan;
+  plan.effects = {numberOf(&Switches::retardation), numberOf(&Switches::contraction)};
+  FrameRecord record = recordAt(1.0);
+  record.switches.contraction = 0;
+  std::vector<HudLine> lines;
+  const auto offered = [&](LessonPhase phase) {
+    record.lesson.phase = phase;
+    describe(record, kLesson, plan, {}, {120, 0.54 * 120}, lines);
+    std::vector<std::string> texts;
+    for (const HudLine& line : lines)
+      for (const HudChip& chip : line.chips)
+        if (chip.action.kind == WallAction::Kind::effect)
+          texts.push_back(fmt::format("{} {}{}", chip.action.number, chip.text, chip.isOn ? " *" : ""));
+    return texts;
+  };
+  const std::vector<std::string> both{"0 light delay (retardation)  1 *", "1 contraction  2"};
+  EXPECT_EQ(offered(LessonPhase::asks), std::vector<std::string>{}) << "the keys answer the question";
+  EXPECT_EQ(offered(LessonPhase::shows), both);
+  EXPECT_EQ(offered(LessonPhase::explains), both);
 }
 
 TEST(HudPanel, ShowWhatToDoAndExplainWhatWasAnswered) {

@@ -10,6 +10,7 @@
 #include "cave/display/eye_renderer.h"
 #include "cave/frame/bodies.h"
 #include "cave/glowing_puck.h"
+#include "cave/mesh/mesh_builder.h"
 #include "cave/room/off_axis.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/light/vertex_history.h"
@@ -221,6 +222,43 @@ TEST_F(TimeViewsTest, WhatAlwaysGoesAlongHasNoGhost) {
   EXPECT_FALSE(hasGhost(u, true, 0)) << "it goes with the room, told";
   EXPECT_TRUE(hasGhost(u, true, 1)) << "a puck that does";
   EXPECT_TRUE(hasGhost(u, false, 0)) << "it moves on the board";
+}
+
+// While a lesson explains what ghosts show, a puck is as it would be if it reflected 0.35 as much; what rests
+// is not dimmed, nor is anything without ghosts or in another phase.
+TEST_F(TimeViewsTest, ThePuckThatIsSeenIsDimmedBehindTheGhostsOfAnExplanation) {
+  const Vec3 seen_m(0.0, 1.0, 0.0), rests_m(0.0, 0.0, 1.0);
+  const WorldLine line({{0.0, seen_m}, uFromBeta({0.0, 0.0, -0.8}), 0.0, {}, 0.0}, kC_m_s, 0.3);
+  FrameRecord record;
+  record.viewers[0].observer = observerAt({1.0 / kC_m_s, Vec3(0.0)}, Lorentz(kC_m_s), Vec3(0.0));
+  const auto middleOf = [&](float colour, LessonPhase phase, bool ghosts, const Vec3& towards_m) {
+    Scene scene = test::glowingPuck(0.1, glm::vec3(colour));
+    scene.reach_m = {0.0, 0.2};
+    ScenePart lies = scene.parts.front();
+    lies.body = kRestingBody;
+    MeshBuilder sheet;
+    sheet.addPatch(2, 2, [&](double u, double v) {
+      return PatchPoint{rests_m + Vec3(0.4 * u - 0.2, 0.4 * v - 0.2, 0.0), {0.0, 0.0, -1.0}};
+    });
+    lies.mesh = sheet.build();
+    lies.coarser.clear();
+    scene.parts.push_back(lies);
+    EyeRenderer view(graphics_, scene, kC_m_s);
+    record.lesson.phase = phase;
+    record.views.boardNow = ghosts ? 1 : 0;
+    const Image picture =
+        draw(view, record, worldOf(line), test::wallTowards(Vec3(0.0), towards_m, kPicture_px));
+    return int{
+        picture.rgb[3 * (static_cast<std::size_t>(kPicture_px.y / 2) * kPicture_px.x + kPicture_px.x / 2)]};
+  };
+  const int bright = middleOf(1.0F, LessonPhase::shows, true, seen_m);
+  EXPECT_NEAR(middleOf(1.0F, LessonPhase::explains, true, seen_m),
+              middleOf(0.35F, LessonPhase::shows, true, seen_m), 2);
+  EXPECT_GT(bright, middleOf(0.35F, LessonPhase::shows, true, seen_m) + 40);
+  EXPECT_EQ(middleOf(1.0F, LessonPhase::explains, false, seen_m), bright) << "there are no ghosts";
+  EXPECT_GT(middleOf(1.0F, LessonPhase::shows, true, rests_m), 0);
+  EXPECT_EQ(middleOf(1.0F, LessonPhase::explains, true, rests_m),
+            middleOf(1.0F, LessonPhase::shows, true, rests_m));
 }
 
 // For a head that moves, both eyes see the ghost "now on the board" at one moment, that of the point between

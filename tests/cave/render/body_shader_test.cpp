@@ -9,11 +9,13 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
+#include <numbers>
 #include <vector>
 
 #include "cave/display/window.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/render/body_shaders.h"
+#include "cave/render/hot_bodies.h"
 #include "engine/colour/doppler_colour.h"
 #include "engine/colour_reference.h"
 #include "engine/light/light_cone.h"
@@ -25,7 +27,8 @@ namespace {
 
 constexpr double kC_m_s = 1.42;
 constexpr std::array<Vec3, 3> kLamps_m{{{-1.0, 0.1, 1.4}, {0.1, 0.2, 1.5}, {0.9, -0.1, 1.3}}};
-constexpr double kGloss = 0.5;
+constexpr double kRoughness = 0.3;
+constexpr float kSeenShare = 0.8F;  // of all light; results are given for 1
 
 /// One vertex of one body, seen by one eye.
 struct Case {
@@ -35,6 +38,8 @@ struct Case {
   Event eye;
   Lorentz headFromBoard;
   glm::vec4 share{1.0F};  ///< of each lamp's light and of the hall's, that reaches the vertex
+  std::array<Event, 4> blows{};
+  glm::vec4 heats{0.0F};
 };
 
 Case randomCase(test::Random& random, int bounces, double maxBeta) {
@@ -50,20 +55,21 @@ struct Lit {
   glm::dmat3 light{0.0};
   glm::dmat3 glow{0.0};
   Vec3 shine{0.0};
+  Vec3 heatGlow{0.0};  ///< of a program for hot bodies
 };
 
 /// The program that draws a lamp's surface (whose `glow` is handed on, too) in one state of the switches.
 class BodyProgram {
  public:
-  BodyProgram(Legs legs, const Switches& switches) : switches_(switches) {
-    const std::string text = bodyVertexShader(legs, Paint::lamp, switches);
+  BodyProgram(Legs legs, const Switches& switches, bool isHot = false) : switches_(switches) {
+    const std::string text = bodyVertexShader({legs, Paint::lamp, switches, ViewTime::seen, false, isHot});
     const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
     const char* source = text.c_str();
     glShaderSource(shader, 1, &source, nullptr);
     glCompileShader(shader);
     glAttachShader(program_, shader);
-    const std::array<const char*, 3> outputs{"light", "glow", "shine"};
-    glTransformFeedbackVaryings(program_, 3, outputs.data(), GL_INTERLEAVED_ATTRIBS);
+    const std::array<const char*, 4> outputs{"light", "glow", "shine", "heatGlow"};
+    glTransformFeedbackVaryings(program_, isHot ? 4 : 3, outputs.data(), GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program_);
     std::string log(8192, '\0');
     glGetShaderInfoLog(shader, 8192, nullptr, log.data());
@@ -114,7 +120,15 @@ class BodyProgram {
                 static_cast<float>(u.y), static_cast<float>(u.z));
     glUniform3fv(at("eyeOnBoard_m"), 1, glm::value_ptr(eye_m));
     glUniform3fv(at("lamps_m"), 3, glm::value_ptr(lamps_m[0]));
-    glUniform1f(at("gloss"), static_cast<float>(kGloss));
+    glUniform1f(at("roughness"), static_cast<float>(kRoughness));
+    glUniform1f(at("seenShare"), kSeenShare);
+    std::array<glm::vec4, 4> blows;
+    for (std::size_t i = 0; i < 4; ++i)
+      blows[i] = glm::vec4(static_cast<float>(kC_m_s * (c.blows[i].t_s - c.eye.t_s)),
+                           glm::vec3(c.blows[i].r_m - c.eye.r_m));
+    glUniform4fv(at("blows"), 4, glm::value_ptr(blows[0]));
+    glUniform4fv(at("blowHeats"), 1, glm::value_ptr(c.heats));
+    glUniform1f(at("cooling_m"), static_cast<float>(kC_m_s * kCooling_s));
   }
 
   Lit drawOne(const Case& c) {
@@ -131,7 +145,7 @@ class BodyProgram {
     attribute("vertexMC", 0);
     attribute("normalMC", sizeof(glm::vec3));
     glVertexAttrib4fv(static_cast<GLuint>(glGetAttribLocation(program_, "litMC")), glm::value_ptr(c.share));
-    std::array<float, 21> out{};
+    std::array<float, 24> out{};
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers_[1]);
     glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, sizeof out, nullptr, GL_STREAM_READ);
     glEnable(GL_RASTERIZER_DISCARD);
@@ -141,14 +155,15 @@ class BodyProgram {
     glDisable(GL_RASTERIZER_DISCARD);
     glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, sizeof out, out.data());
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    for (float& value : out) value /= kSeenShare;
     if (switches_.colour) {
       return {glm::dmat3(glm::make_mat3(&out[0])), glm::dmat3(glm::make_mat3(&out[9])),
-              Vec3(glm::make_vec3(&out[18]))};
+              Vec3(glm::make_vec3(&out[18])), Vec3(glm::make_vec3(&out[21]))};
     }
     const auto diagonal = [&](std::size_t i) {
       return glm::dmat3(out[i], 0, 0, 0, out[i + 1], 0, 0, 0, out[i + 2]);
     };
-    return {diagonal(0), diagonal(3), Vec3(out[6])};
+    return {diagonal(0), diagonal(3), Vec3(out[6]), Vec3(glm::make_vec3(&out[7]))};
   }
 
   Switches switches_;
@@ -179,6 +194,40 @@ Ray intoBody(const Vec3& way, const Vec3& u) {
   return {glm::normalize(light.dr_m), light.dt_s / glm::length(way)};
 }
 
+/// The share of slopes (x, y) = tan θ of the facets of a rough surface per unit of slopes, for Trowbridge and
+/// Reitz: 1/(π α² (1 + tan² θ/α²)²).
+double slopesShare(double tangent2) {
+  const double a2 = kRoughness * kRoughness;
+  return 1.0 / (std::numbers::pi * a2 * std::pow(1.0 + tangent2 / a2, 2));
+}
+
+/// The share of facets that the others leave in sight from this angle to the normal, 1/(1 + Λ) (Smith 1967):
+/// Λ is the mean height by which facets rise towards the eye over its slope, here summed over slopes m,
+///   Λ(μ) = 1/μ ∫_μ^∞ (m − μ) P(m) dm,   μ = cot θ,
+/// with P the share of slopes along one direction: α²/(2 (α² + m²)^(3/2)).
+double inSight(double cosine) {
+  if (cosine >= 1.0) return 1.0;
+  const double mu = cosine / std::sqrt(1.0 - cosine * cosine), a2 = kRoughness * kRoughness;
+  double sum = 0.0;
+  const double step = 1e-2;
+  for (double x = 0.5 * step; x < 12.0; x += step) {  // m = μ + e^x − 1
+    const double rise = std::exp(x) - 1.0, m = mu + rise;
+    sum += rise * a2 / (2.0 * std::pow(a2 + m * m, 1.5)) * std::exp(x) * step;
+  }
+  return 1.0 / (1.0 + sum / mu);
+}
+
+/// Highlights of varnish as facets that mirror: their share by slopes, D = P(slopes)/cos⁴ θ, by how many of
+/// them lamp and eye see, and what each mirrors.
+double highlightByTheBook(const Vec3& normal, const Vec3& toLamp, const Vec3& toEye) {
+  const Vec3 facet = glm::normalize(toLamp + toEye);
+  const double toFacet = glm::dot(normal, facet), nl = glm::dot(normal, toLamp), ne = glm::dot(normal, toEye);
+  if (nl <= 0.0 || ne <= 0.0) return 0.0;
+  const double facets = slopesShare(1.0 / (toFacet * toFacet) - 1.0) / std::pow(toFacet, 4);
+  const double mirrored = 0.04 + 0.96 * std::pow(1.0 - glm::dot(toEye, facet), 5);
+  return std::numbers::pi * facets * mirrored * inSight(nl) * inSight(ne) / (4.0 * ne);
+}
+
 constexpr double kLampHeat = 0.848, kLampPower = 1.88;  // 5512 K, as bright as shaders/body_vert.glsl has it
 
 /// For a body that does not turn.
@@ -204,8 +253,7 @@ Lit litByTheBook(const Case& c, const Switches& s) {
     const double facing = std::max(glm::dot(c.normal, toLamp), 0.0);
     lit.light += facing * sent;
     if (facing == 0.0) continue;
-    const double mirrored = std::max(glm::dot(c.normal, glm::normalize(toLamp + toEye)), 0.0);
-    lit.shine += kGloss * std::pow(mirrored, 60.0) * (sent * Vec3(1.0));
+    lit.shine += highlightByTheBook(c.normal, toLamp, toEye) * (sent * Vec3(1.0));
   }
   if (!s.colour) lit.shine = Vec3(lit.shine.x);  // the fragment shader gives it the lamps' colour
   return lit;
@@ -246,6 +294,57 @@ TEST(BodyShader, LightIsFollowedFromTheLampsToTheHead) {
       ASSERT_LT(glm::length(lit.shine - expected.shine), 0.02 * (brightest + glm::length(expected.shine)));
     }
   }
+}
+
+/// What the matter of a vertex sends by its heat: of each blow the news must have come, and the rest cools
+/// for the own time of matter that went straight from there. Planck's law, wavelength by wavelength.
+Vec3 glowByTheBook(const Case& c, const Switches& s) {
+  const Emission emission = carom::emission(c.line, c.offset_m, c.eye, c.headFromBoard).value();
+  double heat = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    const Displacement way = emission.event - c.blows[static_cast<std::size_t>(i)];
+    const double beta = glm::length(way.dr_m) / (kC_m_s * way.dt_s);
+    if (!(way.dt_s > 0.0 && beta < 1.0)) continue;
+    heat += c.heats[i] * std::exp(-way.dt_s * std::sqrt(1.0 - beta * beta) / kCooling_s);
+  }
+  const double temperature_K = std::min(800.0 + 2400.0 * heat, 6500.0);
+  const double d = s.colour ? emission.doppler : 1.0;
+  double reference_cd_m2 = 0.0;
+  for (double wavelength_nm = 360.0; wavelength_nm <= 830.0; wavelength_nm += 1.0)
+    reference_cd_m2 += 683.002 * matchingFunctions(wavelength_nm).y *
+                       blackBodyRadiance(wavelength_nm, kReferenceTemperature_K);
+  const double power = std::pow(emission.doppler, s.searchlight ? 4.0 : 0.0) / std::pow(d, 4.0);
+  return reference_cd_m2 / 2000.0 * power * test::seenOf([&](double wavelength_nm) {
+           return std::pow(d, 5) * blackBodyRadiance(d * wavelength_nm, temperature_K);
+         });
+}
+
+// Blows before and after the vertex's emission, some out of reach of their news.
+TEST(BodyShader, HotMatterGlowsAsABlackBodyOnceTheNewsOfABlowHasCome) {
+  Graphics graphics;
+  int bright = 0, dark = 0;
+  for (const Switches switches : {Switches{}, Switches{1, 1, 1, 1, 1}, Switches{1, 1, 1, 1, 0},
+                                  Switches{1, 1, 1, 0, 1}, Switches{1, 1, 0, 0, 0}}) {
+    BodyProgram program(Legs::one, switches, true);
+    test::Random random(43);
+    for (int i = 0; i < 200; ++i) {
+      Case c = randomCase(random, 0, 0.6);
+      const Event at = carom::emission(c.line, c.offset_m, c.eye, c.headFromBoard).value().event;
+      for (int k = 0; k < 4; ++k) {
+        c.blows[static_cast<std::size_t>(k)] = {at.t_s - random.in(-0.3, 4.0), at.r_m + random.inBox(1.5)};
+        c.heats[k] = static_cast<float>(random.in(0.0, 0.8));
+      }
+      const Vec3 seen = program.run(c).heatGlow, expected = glowByTheBook(c, switches);
+      const double scale = 1.0 / std::max({expected.x, expected.y, expected.z, 1e-4});
+      ASSERT_LT(test::screenSteps(seen * scale, expected * scale), kScreenSteps)
+          << "case " << i << ", colour " << +switches.colour << ", searchlight " << +switches.searchlight
+          << ": " << seen.x << ' ' << seen.y << ' ' << seen.z << ", expected " << expected.x << ' '
+          << expected.y << ' ' << expected.z;
+      (expected.x > 1.0 ? bright : dark) += 1;
+    }
+  }
+  EXPECT_GT(bright, 300);
+  EXPECT_GT(dark, 20);
 }
 
 // Through bounces: D⁴, with the Doppler factor that the engine's own solve for meshes has.

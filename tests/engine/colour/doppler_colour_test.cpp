@@ -142,6 +142,59 @@ TEST(ColourSwitches, ScaleThePowerAsSaid) {
   }
 }
 
+/// Luminance of a black body (cd/m²): 683 lm/W ∫ ȳ B dλ.
+double candelas(double temperature_K) {
+  double sum = 0.0;
+  for (double wavelength_nm = 360.0; wavelength_nm <= 830.0; wavelength_nm += 1.0)
+    sum += matchingFunctions(wavelength_nm).y * blackBodyRadiance(wavelength_nm, temperature_K);
+  return 683.002 * sum;
+}
+
+// What hot matter sends, by Planck's law in its own frame and D⁵ L(Dλ) summed over the wavelengths, in the
+// unit of white in the hall; and that this is a black body of D times the temperature.
+TEST(Glow, IsABlackBodyOfDTimesItsTemperature) {
+  const double reference = candelas(kReferenceTemperature_K) / 2000.0;
+  int bright = 0;
+  for (const double heat : {0.02, 0.1, 0.16, 0.25, 0.5, 1.0, 2.3, 2.375, 9.0}) {
+    const double temperature_K = std::min(800.0 + 2400.0 * heat, 6500.0);
+    for (const double doppler : {0.3, 0.6, 0.9, 1.0, 1.2, 1.8, 3.0}) {
+      if (doppler * temperature_K < 750.0) continue;  // dark
+      for (const bool colour : {false, true}) {
+        for (const bool searchlight : {false, true}) {
+          SCOPED_TRACE(testing::Message() << heat << ", D " << doppler << ", colour " << colour
+                                          << ", searchlight " << searchlight);
+          const double d = colour ? doppler : 1.0;
+          const double power = std::pow(doppler, searchlight ? 4.0 : 0.0) / std::pow(d, 4.0);
+          const Vec3 expected = reference * power * seenOf([&](double wavelength_nm) {
+                                  return std::pow(d, 5) * blackBodyRadiance(d * wavelength_nm, temperature_K);
+                                });
+          const Vec3 hotter = reference * power * seenOf([&](double wavelength_nm) {
+                                return blackBodyRadiance(wavelength_nm, d * temperature_K);
+                              });
+          const Vec3 seen(colour_kernel::seenGlow(static_cast<float>(heat), static_cast<float>(doppler),
+                                                  colour, searchlight));
+          const double scale = 1.0 / std::max({expected.x, expected.y, expected.z});
+          EXPECT_LT(screenSteps(seen * scale, expected * scale), kOneScreenStep);
+          EXPECT_LT(screenSteps(hotter * scale, expected * scale), 0.01);
+          EXPECT_NEAR(luminanceOf(seen) / luminanceOf(expected), 1.0, 0.01);
+          bright += luminanceOf(seen) > 1.0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(bright, 50);
+}
+
+TEST(Glow, OnFilmKeepsItsColourAndNeverExceedsTwice) {
+  for (const float luminance : {1e-6F, 0.1F, 1.0F, 30.0F, 1e6F}) {
+    const glm::vec3 light = luminance * glm::vec3(2.5F, 0.65F, 0.05F);
+    const Vec3 seen(colour_kernel::onFilm(light, 0.5F));
+    EXPECT_LT(glm::length(glm::cross(glm::normalize(seen), glm::normalize(Vec3(light)))), 1e-6);
+    const double y = luminanceOf(Vec3(light));
+    EXPECT_NEAR(1.0 / luminanceOf(seen), 1.0 / y + 0.5 / 2.0, 1e-5 * (1.0 / y + 1.0));
+  }
+}
+
 class TableTest : public ::testing::Test {
  protected:
   static Vec3 seen(double heat, double bodyToHead, const Vec3& colour) {
