@@ -245,12 +245,18 @@ std::string paceWords(const LessonPlan& plan) {
   return slowness > 1.0 ? texts::format(texts::lesson::kSlowMotion, slowness) : "";
 }
 
+/// Returns words without an explanation in brackets behind them, for which a button has no room.
+std::string_view withoutBrackets(std::string_view words) {
+  return words.substr(0, std::min(words.find(" ("), words.find("（")));
+}
+
 /// Adds the buttons of the effects that the lesson offers.
 void addEffectChips(const SeenFrame& seen, const LessonPlan& plan, std::vector<HudChip>& chips) {
   for (const std::uint8_t number : plan.effects) {
     const NamedSwitch& effect = kNamedSwitches.at(number);
     const std::string key = texts::inLayout(std::string_view(&effect.key, 1));
-    chips.push_back({{Kind::effect, number}, std::string(effect.words.words()) + "  " + key});
+    chips.push_back(
+        {{Kind::effect, number}, std::string(withoutBrackets(effect.words.words())) + "  " + key});
     chips.back().isOn = seen.record.switches.*effect.value != 0;
   }
 }

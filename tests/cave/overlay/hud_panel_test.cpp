@@ -243,7 +243,7 @@ TEST(HudPanel, ALessonMayOfferEffects) {
           texts.push_back(fmt::format("{} {}{}", chip.action.number, chip.text, chip.isOn ? " *" : ""));
     return texts;
   };
-  const std::vector<std::string> both{"0 light delay (retardation)  1 *", "1 contraction  2"};
+  const std::vector<std::string> both{"0 light delay  1 *", "1 contraction  2"};
   EXPECT_EQ(offered(LessonPhase::asks), std::vector<std::string>{}) << "the keys answer the question";
   EXPECT_EQ(offered(LessonPhase::shows), both);
   EXPECT_EQ(offered(LessonPhase::explains), both);
