@@ -21,7 +21,7 @@ FRAMES = int(os.environ.get("CAROM_PAGE_FRAMES", 2))  # of each session
 MOST_PX, MOST_COLOUR, MOST_SOLVE_M, MOST_SOLVE_PX, MOST_UNLIKE = 0.5, 3.0, 1e-5, 0.01, 0.005
 PANELS = 0.3  # of a wall's height, from above
 USUAL_SHARE = 0.01
-LEAST_FREE = 0.7  # of the parts of outlines; where more than USUAL_SHARE may be covered, of these and of the clocks
+LEAST_FREE = 0.75  # of the parts of outlines; where more than USUAL_SHARE may be covered, of these and of the clocks
 LEAST_FREE_MARKED = 0.3
 READABLE_PX = 20  # a clock's face is at least so wide
 

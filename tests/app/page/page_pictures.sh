@@ -44,7 +44,7 @@ struck() { # a game that goes on, in which the mouse draws back from the white p
 if [ -z "${CAROM_PAGE_FRAMES:-}" ]; then
   pixels single-screen '320, 180'
   play welcome single-screen welcome 36 0
-  sessions=(welcome)
+  sessions=(welcome:0.02) # the flashes of the strokes with which it begins are on the walls alone
 else
   needs xdotool
   pixels single-screen '640, 360'
@@ -58,7 +58,7 @@ else
   play english single-screen english 180 1.5
   play flight single-screen "$out/flight.toml" 180 1.5
   play desk desk three-pucks 470 6.7 # the walk begins after five seconds
-  sessions=(welcome struck:0.1 two-cushions:0.1 english:0.03 flight:0.12 desk)
+  sessions=(welcome:0.02 struck:0.1 two-cushions:0.1 english:0.03 flight:0.12 desk)
 fi
 # An observer who rests elsewhere in the room, and one who goes at half the speed of light.
 for speed_m_s in 0 0.82; do
