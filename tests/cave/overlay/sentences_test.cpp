@@ -28,17 +28,17 @@ TEST(Sentences, EndWhereTheNextOneBegins) {
 }
 
 TEST(Sentences, StandOneAfterTheOtherAndThenAgain) {
-  const Sentences three = sentencesOf("Short. This one is a good deal longer than that. End.");
-  ASSERT_EQ(three.size(), 3U);
-  EXPECT_LT(standsFor_s(three[0]), standsFor_s(three[1]));
+  const Sentences four = sentencesOf("Short. This one is a good deal longer than that. Middle one. End.");
+  ASSERT_EQ(four.size(), 4U);
+  EXPECT_LT(standsFor_s(four[0]), standsFor_s(four[1]));
   EXPECT_EQ(sentenceAt({}, 5.0), 0U);
-  EXPECT_EQ(sentenceAt(three, -1.0), 0U);
+  EXPECT_EQ(sentenceAt(four, -1.0), 0U);
   double from_s = 0.0;
   for (int round = 0; round < 2; ++round) {
-    for (std::size_t i = 0; i < three.size(); ++i) {
-      EXPECT_EQ(sentenceAt(three, from_s + 1e-6), i);
-      from_s += standsFor_s(three[i]);
-      EXPECT_EQ(sentenceAt(three, from_s - 1e-6), i);
+    for (std::size_t i = 0; i < four.size(); ++i) {
+      EXPECT_EQ(sentenceAt(four, from_s + 1e-6), i);
+      from_s += standsFor_s(four[i]);
+      EXPECT_EQ(sentenceAt(four, from_s - 1e-6), i);
     }
   }
 }
