@@ -129,7 +129,7 @@ TEST_F(SoftPictures, SilhouettesAndPrintedLinesAreWithinAPixel) {
       scene.soft.push_back(played.back().model);
       scene.soft.back().colour = glm::vec3(0.9F);
     }
-    for (glm::dvec3& lamp : scene.lamps_m) lamp = {0.5, -0.2, 0.9};
+    for (glm::dvec3& lamp : scene.lamps_m) lamp = {0.3, 0.3, 1.2};
     graphics_.makeCurrent();
     WallRenderer renderer(graphics_, scene, kSoftC, 1);
     for (const double t_s : one.times_s) {
@@ -197,8 +197,9 @@ TEST_F(SoftPictures, SilhouettesAndPrintedLinesAreWithinAPixel) {
   }
   std::printf("%ld pixels lit, %ld inside of printed lines, %ld between them, %ld otherwise\n", lit, lines,
               grounds, misprinted);
-  // In the corners where a ring and a spoke meet, both edges are soft.
-  EXPECT_LT(misprinted, 0.001 * static_cast<double>(lines));
+  // In the corners where a ring and a spoke meet, both edges are soft, and over few lines varnish mirrors a
+  // lamp.
+  EXPECT_LT(misprinted, 0.0015 * static_cast<double>(lines));
   EXPECT_GT(lit, 10000);
   EXPECT_GT(lines, 200);
   EXPECT_GT(grounds, 2000);
