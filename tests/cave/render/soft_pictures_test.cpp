@@ -199,7 +199,7 @@ TEST_F(SoftPictures, SilhouettesAndPrintedLinesAreWithinAPixel) {
               grounds, misprinted);
   // In the corners where a ring and a spoke meet, both edges are soft, and over few lines varnish mirrors a
   // lamp.
-  EXPECT_LT(misprinted, 0.0015 * static_cast<double>(lines));
+  EXPECT_LT(misprinted, 0.001 * static_cast<double>(lines));
   EXPECT_GT(lit, 10000);
   EXPECT_GT(lines, 200);
   EXPECT_GT(grounds, 2000);
