@@ -76,7 +76,7 @@ SessionFrames::SessionFrames(Cluster& cluster, SessionSetup& setup, FramePacer& 
                              const LeaderParts* lead, KeysOf keys)
     : statistics_(cluster, setup.lock, setup.rig.display_hz, setup.realTime),
       walls_(*setup.walls, statistics_, lead ? lead->leader : follower_, keys,
-             lead && hasConsoleTile(setup) ? &lead->leader.inbox() : nullptr),
+             lead ? &lead->leader.inbox() : nullptr, lead && hasConsoleTile(setup)),
       drawingEnd_(*setup.walls, statistics_, setup.realTime),
       recording_(*setup.recording, *setup.walls, setup.outside.get()),
       context_{cluster,     *setup.graphics, setup.world,    pacer,    lead ? lead->leader : follower_,

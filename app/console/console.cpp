@@ -114,7 +114,6 @@ void Console::show(const ConsoleFrame& frame) {
     notice_ = notice;
     if (!notice.empty()) say({now_s_, {}, notice});
   }
-  if (std::exchange(keysShown_, frame.settings.keysShown) != frame.settings.keysShown) opensKeys_ = true;
   events_.follow(frame.world);
   clocks_.follow(frame.record);
   diagram_.follow(frame.record);

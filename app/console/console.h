@@ -86,7 +86,6 @@ class Console {
   double now_s_ = 0.0;  ///< session clock
   bool opensKeys_ = false;
   bool bringsLesson_ = false;  ///< the tab of the lesson that has begun comes to the front
-  bool keysShown_ = false;     ///< over the walls; when this changes, the list opens here too
   /// Earliest and intended time of the next drawing.
   Clock::time_point earliest_ = Clock::now(), due_ = earliest_;
 };

@@ -40,8 +40,9 @@ FileKey stopwatch() {
 }
 
 FileKey effectsKey() {
-  FileKey effects =
-      declare::texts("offers_effects", "while it shows and explains, buttons turn these effects off and on");
+  FileKey effects = declare::texts(
+      "offers_effects",
+      "while it shows, buttons turn these effects off and on; it explains with them as they were at first");
   for (const NamedSwitch& effect : kNamedSwitches) effects.choices.emplace_back(effect.name);
   return effects;
 }

@@ -156,6 +156,8 @@ FileKey body() {
   FileKey keys = tables(
       "body", "moves as told, collides with nothing",
       {required(text("name", "unique")), text("mesh", kBodyMesh),
+       choice("material", {"lacquer", "metal", "wood"},
+              "of the mesh: of its colour, riveted sheets of 10 cm in its colour, or planks along x", 0),
        text("history",
             "instead of at and leg: a table t_s,x0_m,y0_m,z0_m,x1_m,… with a row a board time; the vertices "
             "move "
@@ -167,7 +169,7 @@ FileKey body() {
               "by its own clock, anticlockwise from above; its angle is 0 at the event `at`", 0.0),
        ofSize(1, kAnyNumber, leg)});
   keys.rules = {{{.with = {"at", "leg"}, .without = {"history"}},
-                 {.with = {"history"}, .without = {"at", "leg", "appears_s", "spin_rad_s"}}}};
+                 {.with = {"history"}, .without = {"at", "leg", "appears_s", "spin_rad_s", "material"}}}};
   return keys;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/files/findings.h"
+#include "cave/frame/body_colour.h"
 #include "cave/frame/hall.h"
 #include "cave/frame/lesson_plan.h"
 #include "cave/frame/wall_action.h"
@@ -40,6 +41,7 @@ struct ScriptedBody {
   /// 0 at `appears_s` if the file gives it, otherwise at board time 0.
   WorldLine worldLine;
   std::optional<std::filesystem::path> mesh;  ///< existing file; in metres, in the body's rest frame
+  Material material = Material::lacquer;      ///< of the mesh
   bool isDrawn = true;                        ///< not without a mesh, if it holds the side of a soft puck
 };
 

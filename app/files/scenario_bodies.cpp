@@ -238,13 +238,16 @@ std::optional<std::filesystem::path> readMesh(const TomlFile& file, const TomlTa
 }
 
 BodyText readBody(const TomlFile& file, const TomlTable& table) {
-  BodyText body{table, table.text("name"), readMesh(file, table), {}, {}, {}, 0.0, {}};
+  BodyText body{table, table.text("name"), readMesh(file, table), {}, {}, {}, 0.0, {}, {}};
   if (table.has("history")) {
-    for (const char* key : {"at", "leg", "appears_s", "spin_rad_s"})
+    for (const char* key : {"material", "at", "leg", "appears_s", "spin_rad_s"})
       table.refuse(key, "stands beside history, expected one of them");
     body.history = file.existingFile(table, "history", InputKind::trace, Reach::ownFolder);
     return body;
   }
+  if (table.has("material") && !body.mesh)
+    table.fault("material", "material is of a mesh, expected the key mesh, too");
+  body.material = static_cast<Material>(table.choice("material"));
   if (const auto at = table.requiredTable("at")) {
     body.at = {at->number("t_s"), toVec3(at->numbers<3>("r_m"))};
   }
@@ -273,7 +276,7 @@ ToldBody toldBody(const BodyText& body, double c_m_s) {
 }
 
 ScriptedBody scriptedBody(const BodyText& body, double c_m_s) {
-  return {body.name, scriptedWorldLine(body, c_m_s), body.mesh, body.mesh || !body.holds};
+  return {body.name, scriptedWorldLine(body, c_m_s), body.mesh, body.material, body.mesh || !body.holds};
 }
 
 }  // namespace carom

@@ -27,6 +27,7 @@ struct BodyText {
   std::optional<double> appears_s;
   double spin_rad_s = 0.0;
   std::vector<ScriptedLeg> legs;
+  Material material = Material::lacquer;
   bool holds = false;  ///< the side of a soft puck
 };
 

@@ -20,8 +20,8 @@ void drawKeyTable(std::span<const KeyLine> map) {
   ImGui::EndTable();
 }
 
-void drawKeysOver(std::span<const KeyLine> map) {
-  overCorner("##keys", [map] { drawKeyTable(map); });
+bool isKeySheetPressed(std::span<const KeyLine> map) {
+  return isSheetPressed("##keys", [map] { drawKeyTable(map); });
 }
 
 }  // namespace carom

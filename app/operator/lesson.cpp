@@ -1,5 +1,6 @@
 #include "app/operator/lesson.h"
 
+#include "cave/record/effects.h"
 #include "cave/texts/texts.h"
 
 namespace carom {
@@ -31,7 +32,10 @@ void beginLesson(const Scenario& scenario, bool asks, OperatorSettings& settings
   settings.lessonAnswers = settings.lessonObservers = 0;
   settings.lessonObserver = settings.lessonExplainedFor = 0;
   settings.lessonExplains = {};
+  settings.lessonEffects.clear();
   if (!scenario.lesson) return;
+  for (const std::uint8_t effect : scenario.lesson->plan.effects)
+    settings.lessonEffects.emplace_back(effect, settings.switches.*kNamedSwitches[effect].value);
   settings.lesson.phase = asks ? LessonPhase::asks : LessonPhase::shows;
   settings.lessonAnswers = scenario.lesson->words.answers.size();
   settings.lessonObservers = scenario.lesson->plan.observers.size();
@@ -56,6 +60,8 @@ bool offersChoices(const OperatorSettings& settings) {
 void explainInMotion(OperatorSettings& settings) {
   if (settings.lesson.phase != LessonPhase::explains) return;
   settings.lessonObserver = settings.lessonExplainedFor;
+  for (const auto& [effect, atFirst] : settings.lessonEffects)
+    settings.switches.*kNamedSwitches[effect].value = atFirst;
   setViews(settings.lessonExplains, 1, settings.views);
 }
 

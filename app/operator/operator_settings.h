@@ -47,7 +47,9 @@ struct OperatorSettings {
   std::size_t lessonObserver = 0;      ///< the velocity that was chosen
   std::size_t lessonExplainedFor = 0;  ///< the velocity with which it explains
   TimeViews lessonExplains;            ///< views that are on while it explains
-  std::size_t task = 0;                ///< which task of the game, from 0
+  /// Effects that it offers to turn off, by their places in kNamedSwitches, and what they were at first.
+  std::vector<std::pair<std::uint8_t, std::uint8_t>> lessonEffects;
+  std::size_t task = 0;  ///< which task of the game, from 0
   /// The least energy with which each task was done in this session, by scenario file and number.
   std::map<std::pair<std::string, std::size_t>, double> bestOfTask_j;
   bool canWalk = true;  ///< somebody's head is followed, or there are several people

@@ -139,6 +139,7 @@ void addScene(const Visit& visit, const Scene& scene, PageBulk& bulk, Json& json
                              {"number", one.part},
                              {"paint", static_cast<int>(part.paint)},
                              {"isDecal", part.paint == Paint::shadow},
+                             {"isClock", part.paint == Paint::clock},
                              {"colour", vectorOf(part.colour)},
                              {"roughness", part.roughness},
                              {"isRound", part.isRound}});
@@ -150,13 +151,16 @@ void addScene(const Visit& visit, const Scene& scene, PageBulk& bulk, Json& json
   for (const VisitFrame& frame : visit.frames)
     for (const Switches& one : {frame.switches, frame.views.beside})
       if (std::find(recorded.begin(), recorded.end(), one) == recorded.end()) recorded.push_back(one);
-  const PageShaders shaders = pageShaders(resting, moving, recorded, !scene.followed.empty());
+  json["ghostPaint"] = static_cast<int>(Paint::plain);
+  const PageShaders shaders = pageShaders(resting, moving, recorded, !scene.hall.lamps.empty());
   json["shaders"]["parts"] = shaders.parts;
   for (const PageVariant& one : shaders.variants)
     json["shaders"]["variants"][nameOf(one.variant)] = {one.vertex, one.fragment};
   for (const glm::dvec3& lamp_m : scene.lamps_m) json["lamps_m"].push_back(vectorOf(lamp_m));
+  json["hall_m"] = vectorOf(hallBounds_m(scene.hall));
+  for (const glm::vec3& colour : kHallColours) json["hallColours"].push_back(vectorOf(colour));
   json["followed"] = Json::array();
-  for (const FollowedLamp& lamp : scene.followed)
+  for (const FollowedLamp& lamp : scene.hall.lamps)
     json["followed"].push_back(
         {{"place_m", vectorOf(lamp.place_m)}, {"on_s", lamp.on_s}, {"light", vectorOf(lamp.light)}});
 }

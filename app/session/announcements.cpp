@@ -73,6 +73,7 @@ void Announcements::tellEffects(std::span<const Command> commands, Decision& dec
 }
 
 void Announcements::tellCarom(std::size_t viewer, std::size_t cushions, Decision& decision) {
+  if (!scenario_.tasks.empty()) return;  // whether the task is done is told
   if (rig_.viewers.size() == 1) return say(texts::say(texts::message::kCarom, cushions), decision);
   for (std::size_t reader = 0; reader < rig_.viewers.size(); ++reader) {
     sayTo(reader,

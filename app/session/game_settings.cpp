@@ -66,7 +66,6 @@ OperatorSettings settingsOfNext(const OperatorSettings& before, const NextGame& 
   settings.languageOf = before.languageOf;
   settings.eyeSeparation_m = before.eyeSeparation_m;
   settings.walls = before.walls;
-  settings.keysShown = before.keysShown;
   if (!isLesson(scenario)) settings.lastLesson = before.lastLesson;
   if (next.afresh || !isSameFile(next.file, before.playing)) return settings;
   settings.switches = before.switches;

@@ -11,7 +11,7 @@ namespace carom {
 void WallsView::draw(const FrameRecord& record, const World& world) {
   walls_.draw(record, world);
   const LatencyView* latency = statistics_.view(record);
-  if (latency || director_.settings().keysShown || forConsole_) {
+  if (latency || director_.settings().keysShown || hasConsoleTile_) {
     walls_.show([this, latency] { drawOver(latency); });
   } else {
     walls_.show();
@@ -21,8 +21,10 @@ void WallsView::draw(const FrameRecord& record, const World& world) {
 void WallsView::drawOver(const LatencyView* latency) {
   const texts::InLanguage reads(texts::ofSession(director_.settings().languageOf[0]));
   if (latency) drawLatency(*latency, walls_.drawingTimes());
-  if (director_.settings().keysShown) drawKeysOver(keys_.in(director_.settings().languageOf[0]));
-  if (forConsole_ && isTilePressed(texts::console::kShow)) forConsole_->emplace_back(ShowConsole{true});
+  const bool closes =
+      director_.settings().keysShown && isKeySheetPressed(keys_.in(director_.settings().languageOf[0]));
+  if (closes && pressed_) pressed_->emplace_back(ShowKeys{false});
+  if (hasConsoleTile_ && isTilePressed(texts::console::kShow)) pressed_->emplace_back(ShowConsole{true});
 }
 
 void DrawingEnd::draw(const FrameRecord&, const World&) {

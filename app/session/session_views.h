@@ -17,11 +17,16 @@ namespace carom {
 /// frame record says so, and the console's tile.
 class WallsView : public View {
  public:
-  /// `forConsole`: a tile in the windows shows the operator's console while it waits, and gives its command
-  /// here; null: there is none.
+  /// `pressed`: takes the commands of what is pressed in the windows; null: nothing there can be.
+  /// `hasConsoleTile`: a tile shows the operator's console while that waits.
   WallsView(DisplayWalls& walls, FrameStatistics& statistics, const Director& director, KeysOf keys,
-            Commands* forConsole = nullptr)
-      : walls_(walls), statistics_(statistics), director_(director), keys_(keys), forConsole_(forConsole) {}
+            Commands* pressed = nullptr, bool hasConsoleTile = false)
+      : walls_(walls),
+        statistics_(statistics),
+        director_(director),
+        keys_(keys),
+        pressed_(pressed),
+        hasConsoleTile_(hasConsoleTile) {}
 
   void draw(const FrameRecord& record, const World& world) override;
   void swap() override { walls_.swap(); }
@@ -33,7 +38,8 @@ class WallsView : public View {
   FrameStatistics& statistics_;
   const Director& director_;
   KeyList keys_;
-  Commands* forConsole_;
+  Commands* pressed_;
+  bool hasConsoleTile_;
 };
 
 /// Hands the pictures of both eyes over to the headset.

@@ -181,7 +181,10 @@ Scene sceneOf(const Scenario& scenario, const Tessellation& tessellation) {
   }
   std::vector<BodyLooks> told;
   for (const ScriptedBody& body : scenario.bodies)
-    told.push_back({.name = body.name, .meshPath = pathOf(body.mesh), .isDrawn = body.isDrawn});
+    told.push_back({.name = body.name,
+                    .meshPath = pathOf(body.mesh),
+                    .isDrawn = body.isDrawn,
+                    .material = body.material});
   Hall hall;
   hall.floor_m = scenario.observer.position_m.z;
   hall.lamps = scenario.lamps;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cave/display/wall_window.h"
+#include "cave/display/window_layout.h"
 #include "cave/projection/stereo.h"
 #include "cave/texts/format.h"
 #include "cave/texts/texts.h"
@@ -100,7 +101,11 @@ void WallWindows::swap() {
 }
 
 Viewport WallWindows::placeIn(const WallWindow& window, std::size_t wall) const {
-  return pictures_.walls()[wall].viewport.value_or(Viewport{{0, 0}, window.window->size_px()});
+  const Wall& shown = pictures_.walls()[wall];
+  if (shown.viewport) return *shown.viewport;
+  const glm::ivec2 size_px = window.window->size_px();
+  // A window on a desk can be made larger and smaller; its picture keeps its proportions.
+  return shown.window.border ? fitted(shown.window.size_px, size_px) : Viewport{{0, 0}, size_px};
 }
 
 Pane WallWindows::paneOf(const WallWindow& window, std::size_t wall) const {

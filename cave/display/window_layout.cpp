@@ -154,4 +154,13 @@ std::vector<std::optional<ScreenPlace>> arranged(std::span<const FreeWindow> giv
   return best;
 }
 
+Viewport fitted(const glm::ivec2& shape_px, const glm::ivec2& window_px) {
+  const glm::dvec2 shape(shape_px), window(window_px);
+  const double scale = std::min(window.x / shape.x, window.y / shape.y);
+  const glm::ivec2 size_px = glm::max(glm::ivec2(glm::round(scale * shape)), glm::ivec2(1));
+  const glm::ivec2 beside_px = window_px - size_px;
+  if (beside_px.x <= 1 && beside_px.y <= 1) return {{0, 0}, window_px};
+  return {beside_px / 2, size_px};
+}
+
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cave/display/monitors.h"
+#include "cave/room/wall.h"
 
 namespace carom {
 
@@ -29,5 +30,9 @@ inline constexpr int kTitle_px = 34, kEdge_px = 6;
 std::vector<std::optional<ScreenPlace>> arranged(std::span<const FreeWindow> windows,
                                                  std::span<const ScreenPlace> taken,
                                                  std::span<const ScreenPlace> areas);
+
+/// Returns the largest part in the middle of a window of size `window_px` that has the proportions of
+/// `shape_px`; the whole window if that is a pixel larger at most.
+Viewport fitted(const glm::ivec2& shape_px, const glm::ivec2& window_px);
 
 }  // namespace carom

@@ -33,7 +33,9 @@ double reading_s(const Stopwatch& stopwatch, const LessonSight& sight) {
     last_s = sinceStart_s({starts.t_s + glm::distance(now.r_m, starts.r_m) / c_m_s, now.r_m});
   }
   if (!last_s) return sinceStart_s(now);
-  return sight.phase == LessonPhase::explains ? *last_s : std::max(0.0, std::min(sinceStart_s(now), *last_s));
+  if (sight.phase == LessonPhase::explains) return *last_s;
+  const double now_s = sinceStart_s(now);
+  return now_s < 0.0 ? 0.0 : std::min(now_s, *last_s);
 }
 
 double gauged(GaugeQuantity quantity, const Motion& seen, const LessonSight& sight) {

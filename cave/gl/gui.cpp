@@ -265,6 +265,19 @@ bool isTilePressed(const char* name) {
   return isPressed;
 }
 
+bool isSheetPressed(const char* name, const std::function<void()>& draw) {
+  ImGui::SetNextWindowPos({8.0F, 8.0F});
+  ImGui::SetNextWindowBgAlpha(1.0F);
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  draw();
+  const bool isPressed = ImGui::IsWindowHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  Gui::claim();
+  ImGui::End();
+  return isPressed;
+}
+
 void overCorner(const char* name, const std::function<void()>& draw) {
   ImGui::SetNextWindowPos({8.0F, 8.0F});
   ImGui::SetNextWindowBgAlpha(0.8F);

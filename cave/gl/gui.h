@@ -88,6 +88,10 @@ bool isKeyPressed(int key);
 /// Draws a tile in the window's lower right corner, within a Gui. Returns whether it was pressed.
 bool isTilePressed(const char* name);
 
+/// Draws what `draw` draws, within a Gui, on an opaque sheet in the window's upper left corner, which takes
+/// the presses there. Returns whether it was pressed.
+bool isSheetPressed(const char* name, const std::function<void()>& draw);
+
 /// Draws what `draw` draws, within a Gui, on a dim background in the window's upper left corner; it takes no
 /// input.
 void overCorner(const char* name, const std::function<void()>& draw);

@@ -27,8 +27,8 @@ constexpr double kOwnRay_m = 0.15;  // a ray that begins nearer to the eyes is s
 constexpr double kRay_m = 0.002, kDot_m = 0.008;
 constexpr std::array<double, 4> kTicks{0.5, 0.8, 0.9, 0.95};  // of c
 constexpr double kDigits = 0.025, kTickDigits = 0.016;        // heights, as fractions of the distance
-constexpr double kBar = 0.010, kPanel = 0.076,
-                 kPanelMiddle = 0.055;                     // half widths, and the place of the panel's middle
+constexpr double kBar = 0.010, kPanel = 0.086,
+                 kPanelMiddle = 0.065;                     // half widths, and the place of the panel's middle
 constexpr double kReadout = 0.092, kForceReadout = 0.064;  // heights of the numbers below the bar
 
 /// Whether a sign is a blank, also one that keeps a number and its unit together.
@@ -70,6 +70,14 @@ double CueOverlay::rimOf(const HandView& hand) const {
 }
 
 double CueOverlay::ringOf(const HandView& hand) const { return std::max(kRing_m, rimOf(hand) + kBeside_m); }
+
+double CueOverlay::scaleFoot(const FacingPlane& target, const glm::dvec3& eyes_m, const RoomGeometry& room) {
+  constexpr double kBelowEyes = 0.33;  // the slope of sight to the far end of a table
+  const double below_m = glm::dot(eyes_m - target.place_m, room.up);
+  const double along_m = std::sqrt(std::max(target.distance_m * target.distance_m - below_m * below_m, 0.0));
+  const double rises_m = below_m - kBelowEyes * along_m;
+  return std::max(kScaleFoot, rises_m / target.distance_m + kReadout);
+}
 
 double CueOverlay::heightOf(double cost) { return kPerCost * std::clamp(cost, 0.0, kMostCost); }
 
@@ -180,16 +188,26 @@ void CueOverlay::addTurning(const HandView& hand, const FacingPlane& plane, cons
     addLine(at(last_rad - kHead_m / ring_m, ring_m + side_m), at(last_rad, ring_m), width_m, colour);
 }
 
+/// Returns whether the scale stands to the left of the target: on the side away from the stroke, but of a
+/// target far aside on the side of the middle, where walls reach farther.
+static bool standsLeft(const HandView& hand, const FacingPlane& target, const glm::dvec3& eyes_m,
+                       const RoomGeometry& room) {
+  constexpr double kFarAside = 0.4;  // the sine of the angle
+  const double aside =
+      glm::dot(target.place_m - eyes_m, glm::cross(room.forward, room.up)) / target.distance_m;
+  if (std::abs(aside) > kFarAside) return aside > 0.0;
+  return glm::dot(hand.towards, target.right) > 1e-6;
+}
+
 /// Adds, from the bottom of the panel, the speed and the cost that the stroke would have, and the bar above
 /// them; with a force device also the force in the hand, and how many newtons at the cue one in the hand is.
-void CueOverlay::addScale(const HandView& hand, const ForceView& force, const FacingPlane& target) {
+void CueOverlay::addScale(const HandView& hand, const ForceView& force, const FacingPlane& target,
+                          const glm::dvec3& eyes_m, const RoomGeometry& room) {
   const double cost = costOf(hand.u), unit_m = target.distance_m;
   // The force's lines do not reach below the scale's usual end: a low puck is near a wall's rim.
-  const double foot = kScaleFoot + (force.shown ? kForceReadout : 0.0);
+  const double foot = scaleFoot(target, eyes_m, room) + (force.shown ? kForceReadout : 0.0);
   const auto up = [foot](double of) { return foot + heightOf(of); };
-  // The scale stands on the side away from the stroke.
-  const bool goesRight = glm::dot(hand.towards, target.right) > 1e-6;
-  const double aside = goesRight ? kScaleLeft : kScaleRight;
+  const double aside = standsLeft(hand, target, eyes_m, room) ? kScaleLeft : kScaleRight;
   const auto on = [&](double across, double upwards) { return target.at(aside + across, upwards); };
   const double readout = force.shown ? kReadout + kForceReadout : kReadout;
   addLine(on(kPanelMiddle, foot - readout), on(kPanelMiddle, up(kMostCost) + 0.015), kPanel * unit_m,
@@ -226,7 +244,8 @@ void CueOverlay::draw(const RoomGeometry& room, const Wall& wall, const glm::dve
   if (hand.pulling && hand.u > 0.0) addArrow(hand, target, room);
   if (hand.pulling && hand.offset_m != 0.0) addTurning(hand, target, room);
   addRay(hand, eyes_m, room);
-  if (hand.pulling) addScale(hand, seen.self.force, target);  // last, so that nothing covers the scale
+  if (hand.pulling)
+    addScale(hand, seen.self.force, target, eyes_m, room);  // last, so that nothing covers the scale
   const GlStateGuard state(picture.framebuffer(), picture.size_px());
   blendOver();
   ribbons_.draw(marks_, *clip, picture.size_px());

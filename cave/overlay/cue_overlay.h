@@ -46,10 +46,14 @@ class CueOverlay {
   static constexpr double kRim_m = 0.05;     ///< least radius of a puck's rim: where the cue begins at rest
   /// From the target to the bar: right of it, or left of it if the stroke goes to the right.
   static constexpr double kScaleRight = 0.13, kScaleLeft = -0.24;
-  static constexpr double kScaleFoot = 0.14;  ///< height of zero cost above the target
+  static constexpr double kScaleFoot = 0.14;  ///< least height of zero cost above the target
   static constexpr double kPerCost = 0.09;    ///< height of one rest energy
   static constexpr double kMostCost = 2.4;    ///< the highest cost on the scale: 0.955 c
   static constexpr double kDrawn_m = 0.15;    ///< the cue's way back for γβ = 1: as far as the hand moves
+
+  /// Returns the height of zero cost above the target. The scale stands over the far end of a table: it
+  /// covers no puck at which somebody may aim.
+  static double scaleFoot(const FacingPlane& target, const glm::dvec3& eyes_m, const RoomGeometry& room);
 
   /// Returns the height of a cost on the scale, from the scale's foot.
   static double heightOf(double cost);
@@ -71,7 +75,8 @@ class CueOverlay {
   void addCue(const HandView& hand, const RoomGeometry& room);
   void addArrow(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room);
   void addTurning(const HandView& hand, const FacingPlane& plane, const RoomGeometry& room);
-  void addScale(const HandView& hand, const ForceView& force, const FacingPlane& plane);
+  void addScale(const HandView& hand, const ForceView& force, const FacingPlane& target,
+                const glm::dvec3& eyes_m, const RoomGeometry& room);
 
   double rimOf(const HandView& hand) const;
   double ringOf(const HandView& hand) const;

@@ -277,7 +277,6 @@ std::vector<HudChip> explainedChips(const SeenFrame& seen, const LessonPlan& pla
     chips.push_back(chip(Kind::spacetime, texts::lesson::kSpacetime));
     chips.back().isOn = seen.record.views.spacetime != 0;
   }
-  addEffectChips(seen, plan, chips);
   return chips;
 }
 

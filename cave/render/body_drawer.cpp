@@ -68,6 +68,7 @@ BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s)
     : scene_(scene), chunks_(scene), surfaces_(chunks_), soft_(scene) {
   eye_.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
   for (std::size_t i = 0; i < 3; ++i) eye_.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
+  eye_.hall_m = hallBounds_m(scene.hall);
   layers_.reserve(kMoments.size());
   for (std::size_t i = 0; i < kMoments.size(); ++i)
     layers_.emplace_back(chunks_, scene_.bodyCount, scene_.parts.size());
@@ -173,13 +174,14 @@ void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::spa
   surfaces_.look(eye.observation.r_m, u);
 }
 
-/// Sets when the lamps that are followed go on, c (t_on − t_o). Beyond bounds it makes no difference, and
-/// what rests is not drawn anew: all that they can light is lit, or nothing is.
+/// Sets where the lamps are and when those that are followed go on, c (t_on − t_o). Beyond bounds it makes no
+/// difference, and what rests is not drawn anew: all that they can light is lit, or nothing is.
 void BodyDrawer::lookAtLamps(const Event& observation) {
   constexpr double kAllLit_m = 1e3, kNothingLit_m = 1.0;
-  for (std::size_t i = 0; i < scene_.followed.size(); ++i) {
-    const FollowedLamp& lamp = scene_.followed[i];
-    eye_.lampsFromEye_m[i] = glm::vec3(lamp.place_m - observation.r_m);
+  for (std::size_t i = 0; i < scene_.lamps_m.size(); ++i)
+    eye_.lampsFromEye_m[i] = glm::vec3(scene_.lamps_m[i] - observation.r_m);
+  for (std::size_t i = 0; i < scene_.hall.lamps.size(); ++i) {
+    const FollowedLamp& lamp = scene_.hall.lamps[i];
     eye_.lampLights[i] = lamp.light;
     eye_.lampsOn_m[static_cast<int>(i)] = static_cast<float>(
         std::clamp(eye_.lightSpeed_m_s * (lamp.on_s - observation.t_s), -kAllLit_m, kNothingLit_m));
@@ -284,7 +286,7 @@ void BodyDrawer::drawSoft(const Choice& choice, const ChosenPart& chosen) {
   const bool isPlain = ghost || model.told != nullptr;
   const Paint paint = isPlain ? Paint::plain : isShadow ? Paint::shadow : Paint::soft;
   BodyProgram* program = nullptr;
-  programFor({Legs::followed, paint, switches_, chosen.moment, !scene_.followed.empty(), isHot(chosen)},
+  programFor({Legs::followed, paint, switches_, chosen.moment, !scene_.hall.lamps.empty(), isHot(chosen)},
              program);
   use(program->name());
   program->set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);
@@ -306,7 +308,7 @@ void BodyDrawer::drawPart(const Choice& choice, const ChosenPart& chosen) {
   const Paint paint = ghost ? Paint::plain : part.paint;
   Layer& layer = layers_[static_cast<std::size_t>(chosen.moment)];
   BodyProgram& program =
-      programFor({legs, paint, switches_, chosen.moment, !scene_.followed.empty(), isHot(chosen)},
+      programFor({legs, paint, switches_, chosen.moment, !scene_.hall.lamps.empty(), isHot(chosen)},
                  layer.programs[chosen.number]);
   use(program.name());
   program.set(eye_, glm::mat4(choice.clipFromDrawn), uniforms);

@@ -5,6 +5,7 @@
 #include <vtk_glew.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "cave/frame/hall.h"
 #include "cave/gl/gl_program.h"
 
 namespace carom {
@@ -47,6 +48,7 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   place(has_.lamps_m, "lamps_m");
   place(has_.lampsFromEye_m, "lampsFromEye_m");
   place(has_.lampLights, "lampLights");
+  place(has_.hall_m, "hall_m");
   place(has_.lampsOn_m, "lampsOn_m");
   place(has_.observedWhole_s, "observedWhole_s");
   place(has_.observedPart_s, "observedPart_s");
@@ -72,6 +74,8 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   glUseProgram(program_);
   setUniform(program_, "legTexels", kLegUnit);
   setUniform(program_, "colourTexels", kColourUnit);
+  const int hallColours = glGetUniformLocation(program_, "hallColours");
+  glUniform3fv(hallColours, static_cast<GLsizei>(kHallColours.size()), glm::value_ptr(kHallColours.front()));
   glUseProgram(0);
 }
 
@@ -91,6 +95,7 @@ void BodyProgram::set(const EyeUniforms& eye) {
   has_.lamps_m.set(eye.lamps_m);
   has_.lampsFromEye_m.set(eye.lampsFromEye_m);
   has_.lampLights.set(eye.lampLights);
+  has_.hall_m.set(eye.hall_m);
   has_.lampsOn_m.set(eye.lampsOn_m);
   has_.observedWhole_s.set(eye.observedWhole_s);
   has_.observedPart_s.set(eye.observedPart_s);

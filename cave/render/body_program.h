@@ -37,9 +37,11 @@ struct EyeUniforms {
   float observedPart_s = 0.0F;
   float lightSpeed_m_s = 0.0F;
   std::array<glm::vec3, 3> lamps_m{};
-  // Of lamps that are followed: from the eye; when they go on, c (t_on − t_o); their light.
-  std::array<glm::vec3, 3> lampsFromEye_m{}, lampLights{};
+  std::array<glm::vec3, 3> lampsFromEye_m{};
+  // Of lamps that are followed: their light; when they go on, c (t_on − t_o).
+  std::array<glm::vec3, 3> lampLights{};
   glm::vec3 lampsOn_m{0.0F};
+  glm::vec4 hall_m{0.0F};  ///< from its middle to the walls towards x and y; heights of floor and ceiling
 };
 
 /// What they need of one part.
@@ -98,6 +100,7 @@ class BodyProgram {
     Uniform<HotBlows::Places> blows;
     Uniform<glm::vec3> eyeOnBoard_m, exposure, colour, ghostColour, lampsOn_m;
     Uniform<std::array<glm::vec3, 3>> lamps_m, lampsFromEye_m, lampLights;
+    Uniform<glm::vec4> hall_m;
     Uniform<LegUniform> onlyLeg;
     Uniform<int> observedWhole_s, firstLeg, legCount, telling;
     Uniform<float> observedPart_s, lightSpeed_m_s, appears_m, roughness, seenShare, tint, nearer, hatch_m,

@@ -12,10 +12,13 @@
 #include "shaders/doppler_kernel.h"
 #include "shaders/emission_kernel.h"
 #include "shaders/glide_kernel.h"
+#include "shaders/hall_colours.h"
+#include "shaders/highlight.h"
 #include "shaders/leg_at.h"
 #include "shaders/leg_kernel.h"
 #include "shaders/legs.h"
 #include "shaders/light_types.h"
+#include "shaders/mirror.h"
 #include "shaders/noise.h"
 #include "shaders/paint_bands.h"
 #include "shaders/paint_clock.h"
@@ -23,6 +26,7 @@
 #include "shaders/paint_floor.h"
 #include "shaders/paint_ghost.h"
 #include "shaders/paint_lamp.h"
+#include "shaders/paint_metal.h"
 #include "shaders/paint_panels.h"
 #include "shaders/paint_plain.h"
 #include "shaders/paint_puck.h"
@@ -50,13 +54,15 @@ std::string paintText(Paint paint) {
     case Paint::floor:
       return shaders::paint_floor;
     case Paint::panels:
-      return shaders::paint_panels;
+      return std::string(shaders::hall_colours) + shaders::paint_panels;
     case Paint::puck:
       return shaders::paint_puck;
     case Paint::soft:
       return shaders::paint_soft;
     case Paint::bands:
       return shaders::paint_bands;
+    case Paint::metal:
+      return shaders::paint_metal;
     case Paint::sectors:
       return shaders::paint_sectors;
     case Paint::shadow:
@@ -71,6 +77,8 @@ std::string paintText(Paint paint) {
 
 /// Returns whether this paint has no varnish, whatever the roughness of its part.
 bool isMatt(Paint paint) { return paint == Paint::cloth || paint == Paint::panels || paint == Paint::shadow; }
+
+bool mirrors(Legs legs, Paint paint) { return legs == Legs::rest && isPolished(paint); }
 
 /// Returns the definitions that differ from one program to another.
 ShaderParts variantParts(const BodyVariant& variant) {
@@ -91,6 +99,8 @@ ShaderParts variantParts(const BodyVariant& variant) {
   if (paint == Paint::clock) text += "#define CLOCK\n";
   if (paint == Paint::shadow) text += "#define SHADOW\n";
   if (isMatt(paint)) text += "#define MATT\n";
+  if (mirrors(legs, paint)) text += "#define MIRRORS\n";
+  if (!isMatt(paint) && (followsLamps || mirrors(legs, paint))) text += "#define EACH_SHINE\n";
   if (followsLamps) text += "#define LAMPS\n";
   if (followsLamps && paint == Paint::lamp) text += "#define BULB\n";
   if (paint == Paint::clock || paint == Paint::lamp) text += "#define GLOWS\n";
@@ -134,17 +144,25 @@ ShaderParts joinedParts(std::initializer_list<ShaderParts> lists) {
 std::string kernelText(Legs legs) { return joined(kernelParts(legs)); }
 
 ShaderParts bodyVertexParts(const BodyVariant& variant) {
-  return joinedParts({{kPreamble}, variantParts(variant), kernelParts(variant.legs), {shaders::body_vert}});
+  const bool isLit = variant.moment == ViewTime::seen && !isMatt(variant.paint);
+  const ShaderParts varnish = isLit ? ShaderParts{shaders::highlight} : ShaderParts{};
+  return joinedParts(
+      {{kPreamble}, variantParts(variant), kernelParts(variant.legs), varnish, {shaders::body_vert}});
 }
 
 ShaderParts surfaceFragmentParts(const BodyVariant& variant) {
   static const std::string kMarker = "//CAROM::Paint", kText = shaders::surface_frag;
   static const std::size_t kAt = kText.find(kMarker);
-  return joinedParts({{kPreamble},
-                      variantParts(variant),
-                      {kText.substr(0, kAt),
-                       variant.moment == ViewTime::seen ? paintText(variant.paint) : shaders::paint_ghost,
-                       kText.substr(kAt + kMarker.size())}});
+  const bool isSeen = variant.moment == ViewTime::seen;
+  const ShaderParts mirror = isSeen && mirrors(variant.legs, variant.paint)
+                                 ? ShaderParts{shaders::highlight, shaders::hall_colours, shaders::mirror}
+                                 : ShaderParts{};
+  return joinedParts(
+      {{kPreamble},
+       variantParts(variant),
+       {kText.substr(0, kAt)},
+       mirror,
+       {isSeen ? paintText(variant.paint) : shaders::paint_ghost, kText.substr(kAt + kMarker.size())}});
 }
 
 std::string bodyVertexShader(const BodyVariant& variant) { return joined(bodyVertexParts(variant)); }

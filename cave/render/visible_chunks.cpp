@@ -29,10 +29,13 @@ double shadowReachOf(const ChunkedMeshes& meshes, const PartChunks& part, double
   return reach_m + longest * height_m;
 }
 
-/// Highlights of surfaces that are less rough than this are computed at vertices, and need cells of this
-/// size.
+/// Highlights of surfaces that are less rough than this, and do not mirror pixel by pixel, are computed at
+/// vertices, and need cells of this size.
 constexpr float kGlossy = 0.25F;
 constexpr double kGlossyCell_m = 0.15;
+bool isGlossy(const ScenePart& part) {
+  return part.roughness > 0.0F && part.roughness < kGlossy && !isPolished(part.paint);
+}
 
 /// Returns the light that falls on a vertex of what rests for an eye at rest, as shaders/body_vert.glsl
 /// computes it.
@@ -60,8 +63,7 @@ SceneChunks::SceneChunks(const Scene& scene) {
       chunks.first = static_cast<std::uint32_t>(meshes.chunks.size());
       chunks.tiled = part.body == kRestingBody && hasPatches(*part.mesh);
       if (chunks.tiled) {
-        tiles.append(*part.mesh,
-                     part.roughness > 0.0F && part.roughness < kGlossy ? kGlossyCell_m : kAnyCell_m);
+        tiles.append(*part.mesh, isGlossy(part) ? kGlossyCell_m : kAnyCell_m);
       } else {
         appendChunks(*part.mesh, meshes);
       }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kCell_m = 1.0 / 6.0;  // the same for all parts that meet: different cells would leave cracks
 constexpr double kColumnCell_m = 0.3;
+constexpr float kPolish = 0.12F;  // roughness of the floor's stone
 
 /// Returns how many cells of at most `cell_m` that part into tiles a length needs.
 int tiled(double length_m, double cell_m) { return tiledCells(cellsFor(length_m, cell_m)); }
@@ -26,7 +27,7 @@ ScenePart floorPart(const Hall& hall, double cell_m) {
     const glm::dvec2 place((u - 0.5) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
     return PatchPoint{{place, hall.floor_m}};
   });
-  return {kRestingBody, floor.build(), Paint::floor, glm::vec3(0.50F, 0.43F, 0.34F), 0.45F};
+  return {kRestingBody, floor.build(), Paint::floor, glm::vec3(0.50F, 0.43F, 0.34F), kPolish};
 }
 
 /// Returns the middles of the flat lamps under the ceiling.
@@ -56,7 +57,7 @@ ScenePart ceilingPart(const Hall& hall, double cell_m) {
     const glm::dvec2 place((0.5 - u) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
     return PatchPoint{{place, z}, {place, -lightBesideLamps(hall, place)}};
   });
-  return {kRestingBody, ceiling.build(), Paint::panels, glm::vec3(0.72F, 0.70F, 0.66F), 0.0F};
+  return {kRestingBody, ceiling.build(), Paint::panels, kHallColours[4], 0.0F};
 }
 
 /// Returns the wall in the direction `outwards`, `half_m` from the middle.
@@ -120,10 +121,10 @@ std::vector<ScenePart> hallParts(const Hall& hall) {
   constexpr double cell_m = kCell_m;
   std::vector<ScenePart> parts = wallClocks(hall, cell_m);
   parts.push_back(columnsPart(hall));
-  parts.push_back(wallPart(hall, {0, 1}, {0.36F, 0.47F, 0.62F}, cell_m));
-  parts.push_back(wallPart(hall, {0, -1}, {0.62F, 0.56F, 0.36F}, cell_m));
-  parts.push_back(wallPart(hall, {1, 0}, {0.64F, 0.38F, 0.31F}, cell_m));
-  parts.push_back(wallPart(hall, {-1, 0}, {0.40F, 0.57F, 0.42F}, cell_m));
+  parts.push_back(wallPart(hall, {0, 1}, kHallColours[2], cell_m));
+  parts.push_back(wallPart(hall, {0, -1}, kHallColours[3], cell_m));
+  parts.push_back(wallPart(hall, {1, 0}, kHallColours[0], cell_m));
+  parts.push_back(wallPart(hall, {-1, 0}, kHallColours[1], cell_m));
   parts.push_back(floorPart(hall, cell_m));
   parts.push_back(ceilingLampsPart(hall, cell_m));
   parts.push_back(ceilingPart(hall, cell_m));

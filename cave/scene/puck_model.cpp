@@ -225,4 +225,23 @@ void paintSectors(ScenePart& part, int sectors, double radius_m) {
   part.paint = Paint::sectors;
 }
 
+void paintMaterial(ScenePart& part, Material material) {
+  const glm::vec3 kPine(0.40F, 0.24F, 0.11F);
+  constexpr float kPolishedMetal = 0.1F, kPlanedWood = 0.3F;
+  if (material == Material::metal) {
+    part.paint = Paint::metal;
+    part.roughness = kPolishedMetal;
+  } else if (material == Material::wood) {
+    part.paint = Paint::wood;
+    part.colour = kPine;
+    part.roughness = kPlanedWood;
+    vtkPolyData& mesh = *part.mesh;
+    vtkDataArray& surface = *mesh.GetPointData()->GetArray("surface");
+    for (vtkIdType i = 0; i < mesh.GetNumberOfPoints(); ++i) {
+      surface.SetComponent(i, 0, mesh.GetPoint(i)[0]);
+      surface.SetComponent(i, 1, mesh.GetPoint(i)[1]);
+    }
+  }
+}
+
 }  // namespace carom

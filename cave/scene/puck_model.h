@@ -31,6 +31,9 @@ ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, st
 /// Paints a mesh, which fits into a cylinder of this radius, in an even number of sectors around the z axis.
 void paintSectors(ScenePart& part, int sectors, double radius_m);
 
+/// Paints a mesh as what it is made of.
+void paintMaterial(ScenePart& part, Material material);
+
 /// Returns a mesh as it stands, in metres from the body's centre.
 ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& mesh, std::size_t body, const glm::vec3& colour,
                       const Tessellation& tessellation);

@@ -70,8 +70,7 @@ struct Scene {
   std::vector<double> coldMasses_kg;    ///< of the pucks, in the order of the setup
   std::vector<MeshNote> notes;          ///< table, hall, then each body
   std::array<glm::dvec3, 3> lamps_m{};  ///< board frame
-  std::vector<FollowedLamp>
-      followed;  ///< if there are any, `lamps_m` are theirs, the first in place of others
+  Hall hall;  ///< as large as it is; if it has lamps, `lamps_m` are theirs, the first in place of others
   /// How far the far end of a puck's shadow can be from the puck at most, in heights of the puck.
   double longestShadow = kLongestShadow;
   std::vector<ScenePart>

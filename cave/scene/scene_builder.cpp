@@ -145,6 +145,7 @@ BuiltBody buildBody(const BodyLooks& looks, std::size_t body, const glm::vec3& c
                     static_cast<std::size_t>(mesh->GetNumberOfPoints())};
     built.parts.push_back(meshPart(mesh, looks.radius_m, body, colour, tessellation, looks.meshPlace));
     if (looks.sectors > 0) paintSectors(built.parts.back(), looks.sectors, looks.radius_m);
+    paintMaterial(built.parts.back(), looks.material);
     return built;
   }
   if (!looks.outline_m.empty()) {
@@ -164,9 +165,9 @@ class BuiltBodies {
   /// Returns the parts of body number `body`; `build` makes it if none like it has been built.
   template <typename Build>
   const BuiltBody& of(const BodyLooks& looks, std::size_t body, const glm::vec3& colour, const Build& build) {
-    const auto [found, isNew] =
-        built_.try_emplace(std::tuple(looks.meshPath, looks.radius_m, looks.height_m, outlineOf(looks),
-                                      looks.meshPlace ? looks.meshPlace->scale : 0.0, looks.sectors));
+    const auto [found, isNew] = built_.try_emplace(
+        std::tuple(looks.meshPath, looks.radius_m, looks.height_m, outlineOf(looks),
+                   looks.meshPlace ? looks.meshPlace->scale : 0.0, looks.sectors, looks.material));
     BuiltBody& like = found->second;
     if (isNew) {
       like = build();
@@ -176,7 +177,7 @@ class BuiltBodies {
     }
     for (ScenePart& part : like.parts) {
       part.body = body;
-      if (part.paint != Paint::shadow) part.colour = colour;
+      if (part.paint != Paint::shadow && looks.material != Material::wood) part.colour = colour;
     }
     return like;
   }
@@ -188,8 +189,9 @@ class BuiltBodies {
     return corners;
   }
 
-  std::map<std::tuple<std::string, double, double, std::vector<std::pair<double, double>>, double, int>,
-           BuiltBody>
+  std::map<
+      std::tuple<std::string, double, double, std::vector<std::pair<double, double>>, double, int, Material>,
+      BuiltBody>
       built_;
 };
 
@@ -266,17 +268,16 @@ Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
   for (const Puck& puck : setup.pucks) scene.coldMasses_kg.push_back(puck.mass_kg);
   const glm::dvec2 table_m =
       setup.board ? glm::dvec2(setup.board->length_m, setup.board->width_m) : glm::dvec2(kOpenPlane_m);
-  Hall around = hall;
-  around.size_m = {hallFloor_m(table_m, hall), hall.size_m.z};
-  const double lampHeight_m = std::min(kLampHeight_m, around.floor_m + around.size_m.z - 0.5);
+  scene.hall = hall;
+  scene.hall.size_m = {hallFloor_m(table_m, hall), hall.size_m.z};
+  const double lampHeight_m = std::min(kLampHeight_m, hall.floor_m + hall.size_m.z - 0.5);
   for (int i = 0; i < 3; ++i) scene.lamps_m[i] = {(i - 1) * table_m.x / 3.0, 0.0, lampHeight_m};
-  scene.followed = hall.lamps;
-  for (std::size_t i = 0; i < scene.lamps_m.size() && !scene.followed.empty(); ++i)
-    scene.lamps_m[i] = scene.followed[i < scene.followed.size() ? i : 0].place_m;
-  const auto lamps = std::span(scene.lamps_m).first(scene.followed.empty() ? 3 : scene.followed.size());
+  for (std::size_t i = 0; i < scene.lamps_m.size() && !hall.lamps.empty(); ++i)
+    scene.lamps_m[i] = hall.lamps[i < hall.lamps.size() ? i : 0].place_m;
+  const auto lamps = std::span(scene.lamps_m).first(hall.lamps.empty() ? 3 : hall.lamps.size());
 
   if (setup.board) scene.longestShadow = longestShadowOn(table_m, scene.lamps_m, pucks);
-  Resting resting = restingParts(setup, around, lamps);
+  Resting resting = restingParts(setup, scene.hall, lamps);
   addNote(scene, "table", resting.table);
   addNote(scene, "hall", resting.hall);
   scene.reach_m.push_back(std::max(reachOf(resting.table), reachOf(resting.hall)));

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/frame/bodies.h"
+#include "cave/frame/body_colour.h"
 #include "cave/frame/hall.h"
 #include "cave/outlines/footprint.h"
 
@@ -27,11 +28,16 @@ enum class Paint {
   puck,     ///< sectors, rings and rim marks that show how it is deformed
   soft,     ///< a soft puck's rings and spokes, or its strain or heat
   bands,    ///< of a rod
+  metal,    ///< sheets with rivets
   sectors,  ///< around a mesh's axis, alternately in its colour and pale
   shadow,   ///< on the cloth under a puck
   clock,    ///< digits showing the board time at which their light left
   lamp,     ///< shines
 };
+
+/// Returns whether a surface of this paint is polished so well that, at rest, it mirrors the lamps and the
+/// hall pixel by pixel.
+constexpr bool isPolished(Paint paint) { return paint == Paint::floor || paint == Paint::wood; }
 
 /// A mesh for the same part that may stand for it where its cells, up to `cell_m` long and drawn flat, and
 /// its shape, off by up to `off_m`, are seen as small as need be.
@@ -65,6 +71,7 @@ struct BodyLooks {
   std::optional<MeshPlace> meshPlace{};  ///< of a mesh that is not scaled to the radius
   int sectors = 0;  ///< an even number, in which a mesh is painted around its axis; 0: it has one colour
   bool isDrawn = true;
+  Material material = Material::lacquer;  ///< of a scripted body's mesh
 };
 
 }  // namespace carom

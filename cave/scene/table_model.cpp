@@ -134,7 +134,7 @@ std::vector<ScenePart> tableParts(const Board& board, double floor_m) {
   std::vector<ScenePart> parts;
   parts.push_back(clothPart({board.length_m, board.width_m}, cell_m));
   parts.push_back({kRestingBody, cushions.build(), Paint::plain, 0.85F * kClothColour, 0.0F});
-  parts.push_back({kRestingBody, wood.build(), Paint::wood, kWoodColour, 0.2F});
+  parts.push_back({kRestingBody, wood.build(), Paint::wood, kWoodColour, 0.14F});
   for (ScenePart& part : clocks.parts()) parts.push_back(std::move(part));
   return parts;
 }

@@ -1,7 +1,6 @@
 // The picture: the program's own shaders (cave/render/shaders) in WebGL 2, over legs that the engine prepares.
 const kLegFloats = 68, kLegsInRow = 60;
 const kLegs = { rest: 0, one: 1, oneSpinning: 2, many: 3, manySpinning: 4 };
-const kPlain = 0, kClock = 9;
 
 class Picture {
   constructor(canvas, content, engine) {
@@ -158,13 +157,13 @@ class Picture {
     const { about, seen } = this, plan = [];
     let whole = true;
     // First what rests and always looks the same, so that shadows lie on all of it.
-    const isStill = part => part.body === 0 && part.paint !== kClock;
+    const isStill = part => part.body === 0 && !part.isClock;
     const parts = [...about.parts.filter(isStill), ...about.parts.filter(part => !isStill(part))];
     for (const layer of seen.layers) {
       for (const part of parts) {
         const isGhost = layer.moment > 0;
         if (isGhost && (part.body === 0 || part.isDecal)) continue;
-        const key = [this.sortOf(layer, part.body, part), isGhost ? kPlain : part.paint, seen.effects, layer.moment].join("/");
+        const key = [this.sortOf(layer, part.body, part), isGhost ? about.ghostPaint : part.paint, seen.effects, layer.moment].join("/");
         const program = this.program(key, waits);
         whole = whole && program !== null;
         plan.push({ layer, part, program });
@@ -221,6 +220,8 @@ class Picture {
     set("eyeOnBoard_m", "uniform3fv", new Float32Array(eye.event.slice(1)));
     set("eyeExposure", "uniform3fv", new Float32Array(frame.exposure));
     set("lamps_m", "uniform3fv", new Float32Array(about.lamps_m.flat()));
+    set("hall_m", "uniform4fv", new Float32Array(about.hall_m));
+    set("hallColours", "uniform3fv", new Float32Array(about.hallColours.flat()));
     this.setLamps(set, eye);
     const whole_s = Math.floor(eye.event[0]);
     set("observedWhole_s", "uniform1i", whole_s);
@@ -239,16 +240,16 @@ class Picture {
     set("hatch_m", "uniform1f", about.bodies[body].stripes_m);
   }
 
-  // Of lamps that are followed: when they go on, c (t_on - t_o), and where they are from the eye.
+  // Where the lamps are from the eye; of those that are followed, when they go on, c (t_on - t_o).
   setLamps(set, eye) {
     const { about } = this;
+    const places = about.lamps_m.flatMap(lamp_m => lamp_m.map((x, axis) => x - eye.event[1 + axis]));
+    set("lampsFromEye_m", "uniform3fv", new Float32Array(places));
     if (!about.followed.length) return;
     const lamps = [0, 1, 2].map(i => about.followed[i]), on = [0, 0, 0];
-    const places = lamps.flatMap(lamp => (lamp ? lamp.place_m.map((x, axis) => x - eye.event[1 + axis]) : [0, 0, 0]));
     lamps.forEach((lamp, i) => {
       if (lamp) on[i] = Math.min(1, Math.max(-1000, about.lightSpeed_m_s * (lamp.on_s - eye.event[0])));
     });
-    set("lampsFromEye_m", "uniform3fv", new Float32Array(places));
     set("lampLights", "uniform3fv", new Float32Array(lamps.flatMap(lamp => (lamp ? lamp.light : [0, 0, 0]))));
     set("lampsOn_m", "uniform3fv", new Float32Array(on));
   }

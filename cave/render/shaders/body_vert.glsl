@@ -4,9 +4,11 @@
 // The program is compiled with these macros. True or false are the switches RETARDED, CONTRACTED, ABERRATED,
 // COLOURED and SEARCHLIGHT, and BOARD_NOW, which is true for bodies at the observation's board time. Defined
 // or not are: EUCLID, all switches are off; COLOUR, colours are shifted; CLOCK, the part is a clock; MATT, it
-// has no varnish; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits light of its own; HOT, its
-// matter glows by its heat; GHOST, the body is shown at one moment and is not lit; LAMPS, the only light is
-// that of lamps that go on, as it arrives; FOLLOWED, its points move by themselves and have been solved for.
+// has no varnish; EACH_SHINE, the light of each lamp on the varnish is handed on by itself; MIRRORS, a pixel
+// mirrors it (mirror.glsl), not a vertex; SHADOW, it is the shadow of a puck on the cloth; GLOWS, it emits
+// light of its own; HOT, its matter glows by its heat; GHOST, the body is shown at one moment and is not lit;
+// LAMPS, the only light is that of lamps that go on, as it arrives; FOLLOWED, its points move by themselves
+// and have been solved for.
 // Theory: app/doc/physics.md, Colour.
 
 in vec4 vertexMC;   // from the body's centre, in its rest frame (metres)
@@ -31,7 +33,6 @@ uniform mat4 boardFromDrawn;
 uniform vec4 headOnBoard;      // γ, γβ
 uniform vec3 eyeOnBoard_m;     // where the eye receives the light
 uniform vec3 lamps_m[3];       // at rest on the board
-uniform float roughness;       // of the varnish; 0: there is none
 uniform vec3 partColour;       // linear, the share reflected
 uniform float seenShare;       // of its light, which the picture shows
 uniform float tint;            // 0, 1 or 2, of this part
@@ -43,15 +44,17 @@ out vec3 surface;
 #ifdef GHOST
 out vec3 fromEye_m;   // where it is drawn
 #else
+#ifdef MIRRORS
+out vec3 drawnFromEye_m;
+out vec3 mirrorNormal;
+#elif defined(LAMPS)
+out vec3 fromEyeOnBoard_m;  // the way back along which the light came
+#endif
 #ifdef LAMPS
 uniform vec3 lampsFromEye_m[3];
 uniform vec3 lampsOn_m;     // c (t_on − t_o)
 uniform vec3 lampLights[3]; // linear
-out vec3 fromEyeOnBoard_m;  // the way back along which the light came
 out LIGHT lampLight0, lampLight1, lampLight2;  // as `light`, of each lamp once its light has arrived
-#ifndef MATT
-out SHINE lampShine0, lampShine1, lampShine2;
-#endif
 #else
 out LIGHT light;      // received by the surface: times its colour is what the eye receives (linear)
 #endif
@@ -61,7 +64,9 @@ out LIGHT glow;       // the same for light of its own
 #ifdef HOT
 out vec3 heatGlow;    // what its heat sends to the eye (linear)
 #endif
-#if !defined(MATT) && !defined(LAMPS)
+#ifdef EACH_SHINE
+out SHINE lampShine0, lampShine1, lampShine2;  // as `shine`, by each lamp; with MIRRORS not yet mirrored
+#elif !defined(MATT)
 out SHINE shine;      // mirrored to the eye by its varnish
 #endif
 // 0 to 1: how bright it is as if it were painted evenly, and set off from parts of another tint.
@@ -233,28 +238,6 @@ float heatAt(vec3 fromEye_m) {
 }
 #endif
 
-#ifndef MATT
-/// The share of a lamp's light that varnish mirrors to the eye, over that which a white matt surface facing
-/// the lamp reflects there: π D F G/(4 (n·e)), with unit vectors n, the normal, l to the lamp, e to the eye,
-/// h = (l + e)/|l + e|, all in the rest frame of the surface, and
-///   D = α²/(π ((n·h)² (α² − 1) + 1)²)       facets (Trowbridge and Reitz, JOSA 65, 531 (1975)),
-///   G = G₁(n·l) G₁(n·e),  G₁(x) = 2x/(x + sqrt(α² + (1 − α²) x²))      lamp and eye see this share
-///                                            (Walter and others, EGSR 2007),
-///   F = F₀ + (1 − F₀) (1 − e·h)⁵,  F₀ = 0.04      each mirrors this much (Schlick 1994), as lacquer does.
-float highlight(vec3 normal, vec3 toLamp, vec3 toEye) {
-  if (roughness <= 0.0) return 0.0;
-  vec3 middle = normalize(toLamp + toEye);
-  float nl = dot(normal, toLamp), ne = dot(normal, toEye), nh = dot(normal, middle);
-  if (nl <= 0.0 || ne <= 0.0) return 0.0;
-  float square = roughness * roughness;
-  float facets = nh * nh * (square - 1.0) + 1.0;
-  float grazing = 1.0 - dot(toEye, middle), grazing2 = grazing * grazing;
-  float mirrored = 0.04 + 0.96 * grazing2 * grazing2 * grazing;
-  float inSight = (nl + sqrt(square + (1.0 - square) * nl * nl)) * (ne + sqrt(square + (1.0 - square) * ne * ne));
-  return mirrored * square / (facets * facets) * nl / inSight;
-}
-#endif
-
 /// Follows the light from hall and lamps to the eye.
 void lightUp(Sight sight) {
   vec3 fromEye_m = onBoardFromEye(sight);
@@ -270,9 +253,16 @@ void lightUp(Sight sight) {
   // mean cosine: from direction n of the body's sky D = 1/(γ − u·n).
   float hallToBody = 1.0 / (dopplerInto(sight.gamma, sight.u, normal * (2.0 / 3.0)) *
                             dopplerInto(sight.turning.x, sight.turning.yzw, normal * (2.0 / 3.0)));
-#ifdef LAMPS
+#ifdef MIRRORS
+  drawnFromEye_m = sight.drawn;
+  mirrorNormal = normal;
+#elif defined(LAMPS)
   fromEyeOnBoard_m = fromEye_m;
+#endif
+#ifdef LAMPS
   LIGHT lampLight[3];
+#endif
+#ifdef EACH_SHINE
   SHINE lampShine[3];
 #endif
   float hall = litMC.w * hallLight(normal) * headPower * radiancePower(hallToBody, COLOURED, SEARCHLIGHT);
@@ -281,7 +271,7 @@ void lightUp(Sight sight) {
 #elif !defined(LAMPS)
   light = vec3(hall);
 #endif
-#if !defined(MATT) && !defined(LAMPS)
+#if !defined(MATT) && !defined(EACH_SHINE)
   shine = SHINE(0.0);
 #endif
   for (int i = 0; i < 3; ++i) {
@@ -291,7 +281,9 @@ void lightUp(Sight sight) {
     float lampToBody = dopplerIntoVertex(sight, lampRay);
     float strength = litMC[i] * lampStrength(ray) * headPower * lampPower(lampToBody, COLOURED, SEARCHLIGHT);
     float facing = max(dot(normal, toLamp), 0.0);
-#ifndef MATT
+#ifdef MIRRORS
+    float varnish = strength;  // mirrored pixel by pixel
+#elif !defined(MATT)
     float varnish = facing > 0.0 ? strength * highlight(normal, toLamp, toEye) : 0.0;
 #endif
 #ifdef LAMPS
@@ -311,21 +303,25 @@ void lightUp(Sight sight) {
 #elif defined(COLOUR)
     Bands lamp = lampSpectrum(lampToBody * toHead);
     received = added(received, kLampPower * strength * facing, lamp);
-#ifndef MATT
+#ifdef EACH_SHINE
+    lampShine[i] = kLampPower * varnish * seenWhite(lamp);
+#elif !defined(MATT)
     shine += kLampPower * varnish * seenWhite(lamp);
 #endif
 #else
     light += kLampColour * (strength * facing);
-#ifndef MATT
+#ifdef EACH_SHINE
+    lampShine[i] = varnish;
+#elif !defined(MATT)
     shine += varnish;
 #endif
 #endif
   }
-#ifdef LAMPS
-  lampLight0 = lampLight[0], lampLight1 = lampLight[1], lampLight2 = lampLight[2];
-#ifndef MATT
+#ifdef EACH_SHINE
   lampShine0 = lampShine[0], lampShine1 = lampShine[1], lampShine2 = lampShine[2];
 #endif
+#ifdef LAMPS
+  lampLight0 = lampLight[0], lampLight1 = lampLight[1], lampLight2 = lampLight[2];
 #elif defined(COLOUR)
   light = seenColour(0, received, toHead);
 #endif

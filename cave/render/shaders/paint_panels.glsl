@@ -9,6 +9,6 @@ Painted paint() {
   float dado = isWall ? 1.0 - edge(overDado * perMetre_px.y) : 0.0;
   float rail = isWall ? 1.0 - edge((abs(overDado) - 0.02) * perMetre_px.y) : 0.0;
   float shade = isWall ? 0.80 + 0.28 * soft(clamp(0.222 * surface.y, 0.0, 1.0)) : 0.8 - surface.z;
-  vec3 wall = mix(colour, vec3(0.13, 0.055, 0.03), dado) * (shade * (1.0 - 0.45 * max(joints.x, joints.y)));
+  vec3 wall = mix(colour, kDado, dado) * (shade * (1.0 - 0.45 * max(joints.x, joints.y)));
   return Painted(mix(wall, vec3(0.35, 0.23, 0.10), rail), vec3(0.0), 1.0);
 }

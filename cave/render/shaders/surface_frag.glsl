@@ -3,13 +3,16 @@
 in vec3 place;          // in the body's rest frame, from its centre (metres)
 in vec3 surface;        // what the model says for painting
 #ifndef GHOST
+#if defined(LAMPS) || defined(MIRRORS)
+#ifdef MIRRORS
+vec3 fromEyeOnBoard_m;           // the way back along which the light came
+#else
+in vec3 fromEyeOnBoard_m;
+#endif
+uniform vec3 lampsFromEye_m[3];
+#endif
 #ifdef LAMPS
 in LIGHT lampLight0, lampLight1, lampLight2;  // as `light`, of each lamp once its light has arrived
-#ifndef MATT
-in SHINE lampShine0, lampShine1, lampShine2;
-#endif
-in vec3 fromEyeOnBoard_m;        // the way back along which the light came
-uniform vec3 lampsFromEye_m[3];
 uniform vec3 lampsOn_m;          // c (t_on − t_o)
 uniform vec3 lampLights[3];
 #else
@@ -21,7 +24,9 @@ in LIGHT glow;          // times light of its own is that
 #ifdef HOT
 in vec3 heatGlow;       // what matter that is not printed on sends by its heat
 #endif
-#if !defined(MATT) && !defined(LAMPS)
+#ifdef EACH_SHINE
+in SHINE lampShine0, lampShine1, lampShine2;  // by the varnish, of each lamp
+#elif !defined(MATT)
 in SHINE shine;         // mirrored by its varnish
 #endif
 in float tone;          // of its surface, as if it were painted evenly
@@ -122,6 +127,14 @@ float throughPrint(vec3 reflects) {
 
 void main() {
   Painted painted = paint();
+#ifdef MIRRORS
+  vec3 normal = normalize(mirrorNormal);
+  fromEyeOnBoard_m = seenOnBoard_m(normal);
+  vec3 toEye = -normalize(fromEyeOnBoard_m);
+#ifndef LAMPS
+  painted.reflects = withMirroredHall(painted.reflects, normal, toEye);
+#endif
+#endif
 #ifdef GHOST
   pixel = vec4(toScreen(painted.shines), painted.cover);
 #else
@@ -129,14 +142,17 @@ void main() {
   vec3 arrived = arrivedLamps();
   vec3 seen = arrived[0] * (lampLight0 * painted.reflects) + arrived[1] * (lampLight1 * painted.reflects) +
               arrived[2] * (lampLight2 * painted.reflects);
-#ifndef MATT
-  seen += SHINE_COLOUR * (arrived[0] * lampShine0 + arrived[1] * lampShine1 + arrived[2] * lampShine2);
-#endif
 #else
+  vec3 arrived = vec3(1.0);
   vec3 seen = light * painted.reflects;
-#ifndef MATT
-  seen += SHINE_COLOUR * shine;
 #endif
+#ifdef MIRRORS
+  arrived *= mirroredLamps(normal, toEye);
+#endif
+#ifdef EACH_SHINE
+  seen += SHINE_COLOUR * (arrived[0] * lampShine0 + arrived[1] * lampShine1 + arrived[2] * lampShine2);
+#elif !defined(MATT)
+  seen += SHINE_COLOUR * shine;
 #endif
 #ifdef BULB
   painted.shines *= ofBulbs(arrived);

@@ -74,6 +74,20 @@ TEST(LessonFlow, ASessionThatEndsByItselfDoesNotAsk) {
   EXPECT_EQ(settings.lesson, (LessonState{LessonPhase::shows, 0}));
 }
 
+TEST(LessonFlow, ItExplainsWithTheOfferedEffectsAsTheyWereAtFirst) {
+  const Scenario scenario = read(kHead + kLesson + "offers_effects = ['contraction', 'colour']\n");
+  OperatorSettings settings;
+  beginLesson(scenario, false, settings);
+  ASSERT_EQ(settings.lesson.phase, LessonPhase::shows);
+  settings.switches = {0, 0, 1, 1, 0};
+  goOn(settings);
+  ASSERT_EQ(settings.lesson.phase, LessonPhase::explains);
+  EXPECT_EQ(settings.switches, (Switches{0, 1, 1, 0, 0})) << "what the lesson does not offer stays";
+  settings.switches.contraction = 0;
+  goOn(settings);
+  EXPECT_EQ(settings.switches.contraction, 0) << "the scene keeps what was chosen";
+}
+
 TEST(LessonFlow, TheNextGameWithoutALessonHasNone) {
   OperatorSettings settings;
   beginLesson(read(kHead + kLesson), true, settings);

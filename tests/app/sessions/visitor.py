@@ -153,7 +153,20 @@ with open(out / "stderr", "w") as errors:
     wait_until("play", lambda: played() == first)
     wait_for_frames(8)
     picture("4-play")
+    click(2, 1)
+    wait_until("the list of keys", lambda: "keys: on" in (out / "stderr").read_text())
+    wait_for_frames(4)
+    picture("5-keys")
+    games = query("SELECT count(*) FROM game")
+    do("mousemove", window["X"] + 60, window["Y"] + 40)  # on the list; below it nothing is pressed
+    wait_for_frames(3)
+    do("mousedown", 1)
+    wait_for_frames(2)
+    do("mouseup", 1)
+    wait_until("no list of keys", lambda: "keys: off" in (out / "stderr").read_text())
+    if query("SELECT count(*) FROM game") != games:
+        fail("a press on the list of keys began a game")
     session.terminate()
     if session.wait(timeout=240) != 0:
         fail("the session did not end well")
-print(f"{size}: a stroke, a task's stroke, Show me, the colour and play, by mouse alone")
+print(f"{size}: a stroke, a task's stroke, Show me, the colour, play and the keys, by mouse alone")

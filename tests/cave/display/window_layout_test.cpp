@@ -95,5 +95,18 @@ TEST(WindowLayout, NoWindowsMeetAndAllAreOnAMonitor) {
   }
 }
 
+TEST(WindowLayout, APictureKeepsItsProportionsInTheMiddleOfItsWindow) {
+  const auto inside = [](const glm::ivec2& window_px) {
+    const Viewport part = fitted({1280, 720}, window_px);
+    return std::array{part.position_px.x, part.position_px.y, part.size_px.x, part.size_px.y};
+  };
+  EXPECT_EQ(inside({1280, 720}), (std::array{0, 0, 1280, 720}));
+  EXPECT_EQ(inside({1208, 680}), (std::array{0, 0, 1208, 680})) << "as near as pixels allow";
+  EXPECT_EQ(inside({1280, 1000}), (std::array{0, 140, 1280, 720}));
+  EXPECT_EQ(inside({1480, 720}), (std::array{100, 0, 1280, 720}));
+  EXPECT_EQ(inside({640, 480}), (std::array{0, 60, 640, 360}));
+  EXPECT_EQ(inside({1, 1}), (std::array{0, 0, 1, 1}));
+}
+
 }  // namespace
 }  // namespace carom

@@ -46,6 +46,23 @@ TEST(LessonReadings, TimeBetweenEventsIsTheTransformOfLorentz) {
   }
 }
 
+// Where the event that stops it comes first, there is nothing to run: it says so once both have happened.
+TEST(LessonReadings, AStopwatchWhoseEventsComeInTheOtherOrderShowsByHowMuch) {
+  Stopwatch watch;
+  watch.clock = StopwatchClock::room;
+  watch.starts = {0.9, Vec3(-1.2, 0.0, 0.0)};
+  watch.stops = Event{1.6, Vec3(1.2, 0.0, 0.0)};
+  const double expected_s = 1.25 * (0.7 - 0.6 * 2.4 / kC_m_s);
+  ASSERT_LT(expected_s, -0.3);
+  const auto reads_s = [&](double after_s) {  // for a person at A who moves with 0.6 c
+    const Event now{0.9 + 1.25 * after_s, Vec3(-1.2 + 1.25 * after_s * 0.6 * kC_m_s, 0.0, 0.0)};
+    return Sight(now, Vec3(0.6, 0.0, 0.0), LessonPhase::shows).reads_s(watch);
+  };
+  EXPECT_EQ(reads_s(-1.0), 0.0);
+  EXPECT_EQ(reads_s(-0.01), 0.0);
+  for (const double after_s : {0.01, 3.0}) EXPECT_NEAR(reads_s(after_s), expected_s, kRounding) << after_s;
+}
+
 TEST(LessonReadings, AStopwatchRunsBetweenItsEventsAndThenStays) {
   Stopwatch watch;
   watch.starts = {1.0, Vec3(0.0)};

@@ -188,7 +188,7 @@ TEST_F(CueOverlayPicture, TheScalesHeightIsTheCost) {
     EXPECT_NEAR(CueOverlay::heightOf(cost), CueOverlay::kPerCost * cost, 1e-12);
     const auto bar = [&](double of) {
       return at(image, plane.at(beta > 0.0 ? CueOverlay::kScaleLeft : CueOverlay::kScaleRight,
-                                CueOverlay::kScaleFoot + CueOverlay::kPerCost * of));
+                                CueOverlay::scaleFoot(plane, kEyes_m, room_) + CueOverlay::kPerCost * of));
     };
     const Rgb full = bar(cost - 0.06), empty = bar(cost + 0.06);
     EXPECT_GT(*std::max_element(full.begin(), full.end()), 170) << beta;
@@ -204,7 +204,8 @@ TEST_F(CueOverlayPicture, WithAForceTheScaleEndsNoLower) {
   const auto lowestOf = [&](const Image& image) {
     const auto of = [&](double across) {
       const FacingPlane target = facing(record.viewers[0].hand.target_m, kEyes_m, room_);
-      return static_cast<int>(pixelOf(target.at(CueOverlay::kScaleRight + across, 0.1)).x);
+      const double foot = CueOverlay::scaleFoot(target, kEyes_m, room_);
+      return static_cast<int>(pixelOf(target.at(CueOverlay::kScaleRight + across, foot)).x);
     };
     for (int y = 0; y < image.size_px.y; ++y) {
       for (int x = of(0.0); x < of(0.1); ++x) {
@@ -220,6 +221,17 @@ TEST_F(CueOverlayPicture, WithAForceTheScaleEndsNoLower) {
   EXPECT_LT(plain, wall_.pixels.y);
   EXPECT_GE(withForce, plain - 8) << "rows from below; the last line is small";
   EXPECT_LE(withForce, plain + 30);
+}
+
+// Its lowest line is seen over all that lies on a table, 0.9 m below the eyes, up to 2.6 m away.
+TEST_F(CueOverlayPicture, TheScaleStandsOverTheTable) {
+  for (const glm::dvec3& from_m : {glm::dvec3(0.1, -0.9, -0.7), glm::dvec3(-0.8, -0.9, -1.5)}) {
+    const FacingPlane target = facing(kEyes_m + from_m, kEyes_m, room_);
+    const double readout = 0.08;
+    const glm::dvec3 lowest_m =
+        target.at(0.0, CueOverlay::scaleFoot(target, kEyes_m, room_) - readout) - kEyes_m;
+    EXPECT_GT(lowest_m.y / std::hypot(lowest_m.x, lowest_m.z), -0.9 / 2.6) << from_m.x;
+  }
 }
 
 TEST_F(CueOverlayPicture, TheScaleIsUprightAndEquallyLargeEverywhere) {
