@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace carom {
@@ -48,6 +50,15 @@ inline glm::vec3 codeOf(const glm::vec3& linear) {
         linear[i] <= 0.0031308F ? 12.92F * linear[i] : 1.055F * std::pow(linear[i], 1.0F / 2.4F) - 0.055F;
   }
   return code;
+}
+
+/// Returns the colour of light from a body of this linear colour, as a mark: so bright that it stands out
+/// from the cloth for every eye.
+inline glm::vec3 lightOf(const glm::vec3& body) {
+  constexpr float kLeast = 0.45F;
+  const float bright = glm::dot(body, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+  return codeOf(bright < kLeast ? glm::mix(body, glm::vec3(1.0F), (kLeast - bright) / (1.0F - bright))
+                                : body);
 }
 
 }  // namespace carom

@@ -31,11 +31,11 @@ Tile below(const Tile& tile, const Wall& wall) {
   return {{tile.from_m.x, tile.from_m.y - kGap * sizeOf_m(wall).x - high_m}, {width_m, high_m}};
 }
 
-/// Returns the place of the tile for the next language: at the end of the second row below the choices, or
+/// Returns the place of the tile for the next language: at the end of the third row below the choices, or
 /// beside those at the wall's foot, below a lesson's band.
 Tile languageTile(const Wall& wall, bool atFoot) {
   Tile last = tilesOn(wall, atFoot).back();
-  if (!atFoot) return below(below(last, wall), wall);
+  if (!atFoot) return below(below(below(last, wall), wall), wall);
   last.from_m.x += last.size_m.x + kGap * sizeOf_m(wall).x;
   return last;
 }
@@ -104,8 +104,8 @@ void addTiles(const Wall& wall, const SeenFrame& seen, const OfferedTiles& offer
     addBelow(1, Kind::again);
     return;
   }
-  if (seen.self.score.strokes > 0) addBelow(0, Kind::tasks);
-  addBelow(1, Kind::effect, numberOf(&Switches::colour));
+  if (seen.self.score.strokes > 0) addBelow(1, Kind::tasks);
+  addBelow(2, Kind::effect, numberOf(&Switches::colour));
 }
 
 std::optional<PointedButton> buttonAt(const Wall& front, std::span<const WallButton> buttons,

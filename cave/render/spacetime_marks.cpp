@@ -65,7 +65,7 @@ glm::vec3 flashColour(const MarkContext& sight, std::span<const glm::vec3> colou
   for (std::size_t body = 1; body <= sight.pucks && body < colours.size(); ++body) {
     const WorldLine& line = sight.histories[body];
     if (glm::distance(line.at(flash.t_s).event.r_m, flash.r_m) < line.radius_m() + 0.02)
-      return codeOf(glm::max(colours[body], glm::vec3(0.15F)));
+      return lightOf(colours[body]);
   }
   return kFlashColour;
 }

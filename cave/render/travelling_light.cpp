@@ -95,9 +95,7 @@ void addRingOf(const MarkContext& sight, const Resting& draw, const News& news,
   const double half_m = std::min(kNewsHalfWidth_m, radius_m);
   const Vec3 middle_m(news.from.r_m.x, news.from.r_m.y, kOnCloth_m);
   const auto shown = static_cast<float>(0.95 * (1.0 - radius_m / kNews_m));
-  const auto ink = [&](std::size_t puck) {
-    return glm::vec4(codeOf(glm::max(colours[kFirstPuck + puck], glm::vec3(0.08F))), shown);
-  };
+  const auto ink = [&](std::size_t puck) { return glm::vec4(lightOf(colours[kFirstPuck + puck]), shown); };
   addClothRing(batch, draw, middle_m, radius_m - half_m, radius_m, ink(news.pucks[0]));
   addClothRing(batch, draw, middle_m, radius_m, radius_m + half_m, ink(news.pucks[1]));
 }

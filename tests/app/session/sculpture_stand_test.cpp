@@ -136,7 +136,7 @@ TEST(SculptureStand, BodiesThatMoveAsToldHaveTheOutlinesOfTheirMeshes) {
     ++compared;
   }
   EXPECT_EQ(compared, 2);
-  ScriptedBody rod{"rod", scenario.bodies.front().worldLine, {}, true};
+  ScriptedBody rod{"rod", scenario.bodies.front().worldLine, {}, Material::lacquer, true};
   EXPECT_NEAR(outlineOf(rod).radius_m, 0.5, 0.01);
   rod.isDrawn = false;
   EXPECT_EQ(outlineOf(rod).radius_m, 0.02);

@@ -179,7 +179,7 @@ void barsShow(const LessonCheck& check) {
 void cause(const LessonCheck& check) {
   for (const char* puck : {"white", "yellow", "red"}) check.puck(puck);
   for (const char* letter : {"A", "B", "C"}) check.label(letter);
-  check.ring("A", codeOf(glm::vec3(0.64F, 0.62F, 0.57F)));
+  check.ring("A", lightOf(glm::vec3(0.64F, 0.62F, 0.57F)));
   // The ring is where c (t − t_A) from A is: beyond B, short of C.
   const double reach_m = check.moment.c_m_s() * (check.moment.moment_s() - check.moment.flash("A").t_s);
   const Vec3 a_m = check.moment.flash("A").r_m;
@@ -468,7 +468,7 @@ const std::vector<Claim> kClaims{
     {"two-cushions", kExplains, "Its ghost touches the cushion, the left one not yet", twoCushionsExplains},
     {"bar-meets-bar", kShows, "pink ghosts", barsShow},
     {"bar-meets-bar", kExplains, "the right ends of the ghosts touch, the left ones not yet", barsMeet},
-    {"cause", kShows, "ring of light that A sends out", cause},
+    {"cause", kShows, "Has A's ring passed B when B's starts", cause},
     {"cause", kExplains, "A's ring has passed it, but is still short of C", causeExplains},
     {"one-spacetime", kShows, "beads of the flashes", oneSpacetimeShows},
     {"one-spacetime", kExplains, "0.43 s before A", oneSpacetime},
@@ -478,7 +478,7 @@ const std::vector<Claim> kClaims{
     {"twins", kExplains, "10.32 s at home, 8.00 s for you", twins},
     {"twins-in-one-room", kShows, "clocks below", walkers},
     {"twins-in-one-room", kExplains, "20.0 s pass for you", walkers},
-    {"train-in-tunnel", kShows, "both doors are shut", trainShows},
+    {"train-in-tunnel", kShows, "at that moment it is wholly inside", trainShows},
     {"train-in-tunnel", kExplains, "0.9 m fits into 1 m", trainExplains},
     {"train-aboard", kShows, "pink ghosts", trainAboard},
     {"train-aboard", kExplains, "0.6 m long", trainAboardExplains},
