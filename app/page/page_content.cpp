@@ -158,7 +158,6 @@ void addScene(const Visit& visit, const Scene& scene, PageBulk& bulk, Json& json
     json["shaders"]["variants"][nameOf(one.variant)] = {one.vertex, one.fragment};
   for (const glm::dvec3& lamp_m : scene.lamps_m) json["lamps_m"].push_back(vectorOf(lamp_m));
   json["hall_m"] = vectorOf(hallBounds_m(scene.hall));
-  for (const glm::vec3& colour : kHallColours) json["hallColours"].push_back(vectorOf(colour));
   json["followed"] = Json::array();
   for (const FollowedLamp& lamp : scene.hall.lamps)
     json["followed"].push_back(

@@ -5,7 +5,6 @@
 #include <vtk_glew.h>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "cave/frame/hall.h"
 #include "cave/gl/gl_program.h"
 
 namespace carom {
@@ -74,8 +73,6 @@ BodyProgram::BodyProgram(const BodyVariant& variant)
   glUseProgram(program_);
   setUniform(program_, "legTexels", kLegUnit);
   setUniform(program_, "colourTexels", kColourUnit);
-  const int hallColours = glGetUniformLocation(program_, "hallColours");
-  glUniform3fv(hallColours, static_cast<GLsizei>(kHallColours.size()), glm::value_ptr(kHallColours.front()));
   glUseProgram(0);
 }
 

@@ -1,9 +1,11 @@
 #include "cave/render/body_shaders.h"
 
+#include <array>
 #include <initializer_list>
 
 #include <fmt/format.h>
 
+#include "cave/frame/hall.h"
 #include "engine/light/spin_steps.h"
 #include "engine/spacetime/world_line.h"
 #include "shaders/body_vert.h"
@@ -108,6 +110,19 @@ ShaderParts variantParts(const BodyVariant& variant) {
   return {text, shaders::light_types};
 }
 
+/// Returns the colours of the hall, which have their names in mirror.glsl.
+std::string hallColours() {
+  constexpr std::array kNames{"kWallX", "kWallMinusX", "kWallY", "kWallMinusY", "kCeiling"};
+  static_assert(kNames.size() == kHallColours.size());
+  std::string text;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    const glm::vec3& colour = kHallColours[i];
+    text += fmt::format("const vec3 {} = vec3({:.4f}, {:.4f}, {:.4f});\n", kNames[i], colour.r, colour.g,
+                        colour.b);
+  }
+  return text;
+}
+
 ShaderParts kernelParts(Legs legs) {
   std::string definitions =
       fmt::format("#define CATCH_UP_SPEED {}\n#define FEW_SPIN_STEPS {:.1f}\n", kCatchUpSpeed, kFewSpinSteps);
@@ -144,8 +159,9 @@ ShaderParts joinedParts(std::initializer_list<ShaderParts> lists) {
 std::string kernelText(Legs legs) { return joined(kernelParts(legs)); }
 
 ShaderParts bodyVertexParts(const BodyVariant& variant) {
-  const bool isLit = variant.moment == ViewTime::seen && !isMatt(variant.paint);
-  const ShaderParts varnish = isLit ? ShaderParts{shaders::highlight} : ShaderParts{};
+  const bool isVarnished =
+      variant.moment == ViewTime::seen && !isMatt(variant.paint) && !mirrors(variant.legs, variant.paint);
+  const ShaderParts varnish = isVarnished ? ShaderParts{shaders::highlight} : ShaderParts{};
   return joinedParts(
       {{kPreamble}, variantParts(variant), kernelParts(variant.legs), varnish, {shaders::body_vert}});
 }
@@ -155,7 +171,7 @@ ShaderParts surfaceFragmentParts(const BodyVariant& variant) {
   static const std::size_t kAt = kText.find(kMarker);
   const bool isSeen = variant.moment == ViewTime::seen;
   const ShaderParts mirror = isSeen && mirrors(variant.legs, variant.paint)
-                                 ? ShaderParts{shaders::highlight, shaders::hall_colours, shaders::mirror}
+                                 ? ShaderParts{shaders::hall_colours, hallColours(), shaders::mirror}
                                  : ShaderParts{};
   return joinedParts(
       {{kPreamble},

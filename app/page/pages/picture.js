@@ -221,7 +221,6 @@ class Picture {
     set("eyeExposure", "uniform3fv", new Float32Array(frame.exposure));
     set("lamps_m", "uniform3fv", new Float32Array(about.lamps_m.flat()));
     set("hall_m", "uniform4fv", new Float32Array(about.hall_m));
-    set("hallColours", "uniform3fv", new Float32Array(about.hallColours.flat()));
     this.setLamps(set, eye);
     const whole_s = Math.floor(eye.event[0]);
     set("observedWhole_s", "uniform1i", whole_s);

@@ -33,6 +33,10 @@ uniform mat4 boardFromDrawn;
 uniform vec4 headOnBoard;      // γ, γβ
 uniform vec3 eyeOnBoard_m;     // where the eye receives the light
 uniform vec3 lamps_m[3];       // at rest on the board
+#ifdef MIRRORS
+uniform vec4 hall_m;           // from its middle to the walls towards x and y; heights of floor and ceiling
+uniform float roughness;       // of its varnish
+#endif
 uniform vec3 partColour;       // linear, the share reflected
 uniform float seenShare;       // of its light, which the picture shows
 uniform float tint;            // 0, 1 or 2, of this part
@@ -45,8 +49,10 @@ out vec3 surface;
 out vec3 fromEye_m;   // where it is drawn
 #else
 #ifdef MIRRORS
-out vec3 drawnFromEye_m;
 out vec3 mirrorNormal;
+flat out vec3 eyeHere_m, lampHere0_m, lampHere1_m, lampHere2_m;  // on the board
+flat out vec4 hallHere_m;
+flat out float polish;
 #elif defined(LAMPS)
 out vec3 fromEyeOnBoard_m;  // the way back along which the light came
 #endif
@@ -254,8 +260,11 @@ void lightUp(Sight sight) {
   float hallToBody = 1.0 / (dopplerInto(sight.gamma, sight.u, normal * (2.0 / 3.0)) *
                             dopplerInto(sight.turning.x, sight.turning.yzw, normal * (2.0 / 3.0)));
 #ifdef MIRRORS
-  drawnFromEye_m = sight.drawn;
   mirrorNormal = normal;
+  eyeHere_m = eyeOnBoard_m;
+  lampHere0_m = lamps_m[0], lampHere1_m = lamps_m[1], lampHere2_m = lamps_m[2];
+  hallHere_m = hall_m;
+  polish = roughness;
 #elif defined(LAMPS)
   fromEyeOnBoard_m = fromEye_m;
 #endif

@@ -1,45 +1,53 @@
 // What a polished surface at rest, the floor and the table's wood, mirrors to the eye.
 // Theory: app/doc/physics.md, Colour.
-in vec3 drawnFromEye_m;
-in vec3 mirrorNormal;
-uniform mat4 boardFromDrawn;
-uniform vec3 eyeOnBoard_m;
-uniform vec4 hall_m;           // from its middle to the walls towards x and y; heights of floor and ceiling
-uniform vec3 hallColours[5];   // of the walls towards x, −x, y, −y, and of the ceiling
+in vec3 mirrorNormal;          // even over a cell
+// Uniforms, handed on (body_vert.glsl). Board frame.
+flat in vec3 eyeHere_m, lampHere0_m, lampHere1_m, lampHere2_m;
+flat in vec4 hallHere_m;       // from its middle to the walls towards x and y; heights of floor and ceiling
+flat in float polish;          // Trowbridge and Reitz's α
 
-/// The way from the eye to where the pixel's ray meets the plane of its cell. Between the vertices of a cell
-/// the place on the board is no linear function of the place in the picture.
-vec3 seenOnBoard_m(vec3 normal) {
-  vec3 toCell_m = place - eyeOnBoard_m;
-  if (!ABERRATED) return toCell_m;
-  vec3 ray = (boardFromDrawn * vec4(-length(drawnFromEye_m), drawnFromEye_m)).yzw;
-  return ray * (dot(toCell_m, normal) / min(dot(ray, normal), -1e-3 * length(ray)));
+/// The share that is mirrored at this cosine to the normal (Schlick 1994).
+float mirroredAt(float facing, float most) {
+  float grazing = 1.0 - facing, grazing2 = grazing * grazing;
+  return 0.04 + most * grazing2 * grazing2 * grazing;
+}
+
+/// The lamp at this way from the surface, over its light here. Facets are as in highlight.glsl, with
+///   (n·h)² = A/B,   A = (n·l + n·e)²,   B = |l + e|² = 2 + 2 l·e.
+/// Reflectance and masking are those of the mirror direction: they hardly differ where facets are few.
+float mirroredLamp(vec3 toLamp_m, vec3 normal, vec3 toEye, float facing, float inMirror) {
+  vec3 toLamp = toLamp_m * inversesqrt(dot(toLamp_m, toLamp_m));
+  float square = polish * polish;
+  float both = max(dot(normal, toLamp), 0.0) + facing, sum = 2.0 + 2.0 * dot(toLamp, toEye);
+  float facets = sum / (both * both * (square - 1.0) + sum);
+  return inMirror * facets * facets;
 }
 
 /// The lamps, each over its light here. Computed in every pixel, as cells of a mesh are larger than their
 /// images. A lamp's light and its mirror image have the same way: the image of light that arrives arrives
 /// with it.
 vec3 mirroredLamps(vec3 normal, vec3 toEye) {
-  return vec3(highlight(normal, normalize(lampsFromEye_m[0] - fromEyeOnBoard_m), toEye),
-              highlight(normal, normalize(lampsFromEye_m[1] - fromEyeOnBoard_m), toEye),
-              highlight(normal, normalize(lampsFromEye_m[2] - fromEyeOnBoard_m), toEye));
+  float facing = max(dot(normal, toEye), 0.0), square = polish * polish;
+  float inMirror = 0.5 * mirroredAt(facing, 0.96) * square / (facing + sqrt(square + facing * facing));
+  return vec3(mirroredLamp(lampHere0_m - place, normal, toEye, facing, inMirror),
+              mirroredLamp(lampHere1_m - place, normal, toEye, facing, inMirror),
+              mirroredLamp(lampHere2_m - place, normal, toEye, facing, inMirror));
 }
 
-/// Adds the mirror image of the hall to what the surface reflects. Approximate: walls and ceiling as if this
-/// place's light fell on them, blurred by the surface's roughness.
+/// Adds the mirror image of the hall to what the surface reflects. Approximate: walls and ceiling are lit as
+/// this place is, and their borders are blurred as if they were some metres away.
 vec3 withMirroredHall(vec3 reflects, vec3 normal, vec3 toEye) {
+  const float kPerBlur_1_m = 1.5;
   float facing = max(dot(normal, toEye), 0.0);
-  float grazing = 1.0 - facing, grazing2 = grazing * grazing;
-  float share = 0.04 + (0.96 - roughness) * grazing2 * grazing2 * grazing;
   vec3 ray = 2.0 * facing * normal - toEye;
-  vec3 from_m = eyeOnBoard_m + fromEyeOnBoard_m;
-  vec2 ways_m = (hall_m.xy - from_m.xy * sign(ray.xy)) / max(abs(ray.xy), 1e-3);
-  float way_m = min(ways_m.x, ways_m.y);
-  float perBlur = 1.0 / (0.02 + 2.0 * roughness * way_m);
-  vec3 wall = mix(ray.x > 0.0 ? hallColours[0] : hallColours[1], ray.y > 0.0 ? hallColours[2] : hallColours[3],
-                  edge((ways_m.x - ways_m.y) * perBlur));
-  float height_m = from_m.z + way_m * ray.z;
-  wall = mix(kDado, wall, edge((height_m - hall_m.z - kDado_m) * perBlur));
-  vec3 mirrored = mix(0.85 * wall, hallColours[4], edge((height_m - hall_m.w) * perBlur));
-  return mix(reflects, mirrored, share);
+  vec2 away = abs(ray.xy), left_m = hallHere_m.xy - place.xy * sign(ray.xy);
+  // The nearer wall, without dividing by both: left.x/away.x or left.y/away.y.
+  float order = left_m.x * away.y - left_m.y * away.x;
+  vec2 nearer = order < 0.0 ? vec2(left_m.x, away.x) : vec2(left_m.y, away.y);
+  float height_m = place.z + ray.z * nearer.x / max(nearer.y, 1e-3);
+  vec3 wall = mix(ray.x > 0.0 ? kWallX : kWallMinusX, ray.y > 0.0 ? kWallY : kWallMinusY,
+                  edge(order * kPerBlur_1_m));
+  wall = mix(kDado, wall, edge((height_m - hallHere_m.z - kDado_m) * kPerBlur_1_m));
+  vec3 mirrored = mix(0.85 * wall, kCeiling, edge((height_m - hallHere_m.w) * kPerBlur_1_m));
+  return mix(reflects, mirrored, mirroredAt(facing, 0.96 - polish));
 }

@@ -9,9 +9,9 @@ vec3 fromEyeOnBoard_m;           // the way back along which the light came
 #else
 in vec3 fromEyeOnBoard_m;
 #endif
-uniform vec3 lampsFromEye_m[3];
 #endif
 #ifdef LAMPS
+uniform vec3 lampsFromEye_m[3];
 in LIGHT lampLight0, lampLight1, lampLight2;  // as `light`, of each lamp once its light has arrived
 uniform vec3 lampsOn_m;          // c (t_on − t_o)
 uniform vec3 lampLights[3];
@@ -128,8 +128,8 @@ float throughPrint(vec3 reflects) {
 void main() {
   Painted painted = paint();
 #ifdef MIRRORS
-  vec3 normal = normalize(mirrorNormal);
-  fromEyeOnBoard_m = seenOnBoard_m(normal);
+  vec3 normal = mirrorNormal;
+  fromEyeOnBoard_m = place - eyeHere_m;
   vec3 toEye = -normalize(fromEyeOnBoard_m);
 #ifndef LAMPS
   painted.reflects = withMirroredHall(painted.reflects, normal, toEye);
