@@ -174,14 +174,13 @@ void BodyDrawer::look(const Lorentz& headFromBoard, const EyeView& eye, std::spa
   surfaces_.look(eye.observation.r_m, u);
 }
 
-/// Sets where the lamps are and when those that are followed go on, c (t_on − t_o). Beyond bounds it makes no
-/// difference, and what rests is not drawn anew: all that they can light is lit, or nothing is.
+/// Sets when the lamps that are followed go on, c (t_on − t_o). Beyond bounds it makes no difference, and
+/// what rests is not drawn anew: all that they can light is lit, or nothing is.
 void BodyDrawer::lookAtLamps(const Event& observation) {
   constexpr double kAllLit_m = 1e3, kNothingLit_m = 1.0;
-  for (std::size_t i = 0; i < scene_.lamps_m.size(); ++i)
-    eye_.lampsFromEye_m[i] = glm::vec3(scene_.lamps_m[i] - observation.r_m);
   for (std::size_t i = 0; i < scene_.hall.lamps.size(); ++i) {
     const FollowedLamp& lamp = scene_.hall.lamps[i];
+    eye_.lampsFromEye_m[i] = glm::vec3(lamp.place_m - observation.r_m);
     eye_.lampLights[i] = lamp.light;
     eye_.lampsOn_m[static_cast<int>(i)] = static_cast<float>(
         std::clamp(eye_.lightSpeed_m_s * (lamp.on_s - observation.t_s), -kAllLit_m, kNothingLit_m));

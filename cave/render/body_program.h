@@ -37,9 +37,8 @@ struct EyeUniforms {
   float observedPart_s = 0.0F;
   float lightSpeed_m_s = 0.0F;
   std::array<glm::vec3, 3> lamps_m{};
-  std::array<glm::vec3, 3> lampsFromEye_m{};
-  // Of lamps that are followed: their light; when they go on, c (t_on − t_o).
-  std::array<glm::vec3, 3> lampLights{};
+  // Of lamps that are followed: from the eye; when they go on, c (t_on − t_o); their light.
+  std::array<glm::vec3, 3> lampsFromEye_m{}, lampLights{};
   glm::vec3 lampsOn_m{0.0F};
   glm::vec4 hall_m{0.0F};  ///< from its middle to the walls towards x and y; heights of floor and ceiling
 };

@@ -226,14 +226,12 @@ void paintSectors(ScenePart& part, int sectors, double radius_m) {
 }
 
 void paintMaterial(ScenePart& part, Material material) {
-  const glm::vec3 kPine(0.40F, 0.24F, 0.11F);
   constexpr float kPolishedMetal = 0.1F, kPlanedWood = 0.3F;
   if (material == Material::metal) {
     part.paint = Paint::metal;
     part.roughness = kPolishedMetal;
   } else if (material == Material::wood) {
     part.paint = Paint::wood;
-    part.colour = kPine;
     part.roughness = kPlanedWood;
     vtkPolyData& mesh = *part.mesh;
     vtkDataArray& surface = *mesh.GetPointData()->GetArray("surface");

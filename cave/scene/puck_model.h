@@ -31,7 +31,10 @@ ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, st
 /// Paints a mesh, which fits into a cylinder of this radius, in an even number of sectors around the z axis.
 void paintSectors(ScenePart& part, int sectors, double radius_m);
 
-/// Paints a mesh as what it is made of.
+/// The linear colour of wooden bodies.
+inline constexpr glm::vec3 kPineColour{0.40F, 0.24F, 0.11F};
+
+/// Gives a mesh the surface of a material, in its colour.
 void paintMaterial(ScenePart& part, Material material);
 
 /// Returns a mesh as it stands, in metres from the body's centre.

@@ -177,7 +177,7 @@ class BuiltBodies {
     }
     for (ScenePart& part : like.parts) {
       part.body = body;
-      if (part.paint != Paint::shadow && looks.material != Material::wood) part.colour = colour;
+      if (part.paint != Paint::shadow) part.colour = colour;
     }
     return like;
   }
@@ -235,7 +235,7 @@ void addBodies(Scene& scene, std::span<const BodyLooks> pucks, std::span<const B
     }));
   }
   for (std::size_t i = 0; i < told.size(); ++i) {
-    const glm::vec3 colour = colourOf(told[i].name, i);
+    const glm::vec3 colour = told[i].material == Material::wood ? kPineColour : colourOf(told[i].name, i);
     ++body;
     if (!told[i].isDrawn) {
       scene.reach_m.push_back(0.0);

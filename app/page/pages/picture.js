@@ -239,16 +239,16 @@ class Picture {
     set("hatch_m", "uniform1f", about.bodies[body].stripes_m);
   }
 
-  // Where the lamps are from the eye; of those that are followed, when they go on, c (t_on - t_o).
+  // Of lamps that are followed: when they go on, c (t_on - t_o), and where they are from the eye.
   setLamps(set, eye) {
     const { about } = this;
-    const places = about.lamps_m.flatMap(lamp_m => lamp_m.map((x, axis) => x - eye.event[1 + axis]));
-    set("lampsFromEye_m", "uniform3fv", new Float32Array(places));
     if (!about.followed.length) return;
     const lamps = [0, 1, 2].map(i => about.followed[i]), on = [0, 0, 0];
+    const places = lamps.flatMap(lamp => (lamp ? lamp.place_m.map((x, axis) => x - eye.event[1 + axis]) : [0, 0, 0]));
     lamps.forEach((lamp, i) => {
       if (lamp) on[i] = Math.min(1, Math.max(-1000, about.lightSpeed_m_s * (lamp.on_s - eye.event[0])));
     });
+    set("lampsFromEye_m", "uniform3fv", new Float32Array(places));
     set("lampLights", "uniform3fv", new Float32Array(lamps.flatMap(lamp => (lamp ? lamp.light : [0, 0, 0]))));
     set("lampsOn_m", "uniform3fv", new Float32Array(on));
   }

@@ -53,10 +53,9 @@ out vec3 mirrorNormal;
 flat out vec3 eyeHere_m, lampHere0_m, lampHere1_m, lampHere2_m;  // on the board
 flat out vec4 hallHere_m;
 flat out float polish;
-#elif defined(LAMPS)
-out vec3 fromEyeOnBoard_m;  // the way back along which the light came
 #endif
 #ifdef LAMPS
+out vec3 fromEyeOnBoard_m;  // the way back along which the light came
 uniform vec3 lampsFromEye_m[3];
 uniform vec3 lampsOn_m;     // c (t_on − t_o)
 uniform vec3 lampLights[3]; // linear
@@ -265,10 +264,9 @@ void lightUp(Sight sight) {
   lampHere0_m = lamps_m[0], lampHere1_m = lamps_m[1], lampHere2_m = lamps_m[2];
   hallHere_m = hall_m;
   polish = roughness;
-#elif defined(LAMPS)
-  fromEyeOnBoard_m = fromEye_m;
 #endif
 #ifdef LAMPS
+  fromEyeOnBoard_m = fromEye_m;
   LIGHT lampLight[3];
 #endif
 #ifdef EACH_SHINE

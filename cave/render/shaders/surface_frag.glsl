@@ -3,14 +3,8 @@
 in vec3 place;          // in the body's rest frame, from its centre (metres)
 in vec3 surface;        // what the model says for painting
 #ifndef GHOST
-#if defined(LAMPS) || defined(MIRRORS)
-#ifdef MIRRORS
-vec3 fromEyeOnBoard_m;           // the way back along which the light came
-#else
-in vec3 fromEyeOnBoard_m;
-#endif
-#endif
 #ifdef LAMPS
+in vec3 fromEyeOnBoard_m;        // the way back along which the light came
 uniform vec3 lampsFromEye_m[3];
 in LIGHT lampLight0, lampLight1, lampLight2;  // as `light`, of each lamp once its light has arrived
 uniform vec3 lampsOn_m;          // c (t_on − t_o)
@@ -129,8 +123,7 @@ void main() {
   Painted painted = paint();
 #ifdef MIRRORS
   vec3 normal = mirrorNormal;
-  fromEyeOnBoard_m = place - eyeHere_m;
-  vec3 toEye = -normalize(fromEyeOnBoard_m);
+  vec3 toEye = normalize(eyeHere_m - place);
 #ifndef LAMPS
   painted.reflects = withMirroredHall(painted.reflects, normal, toEye);
 #endif
