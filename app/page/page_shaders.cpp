@@ -91,7 +91,8 @@ PageShaders pageShaders(const std::vector<Paint>& resting, const std::vector<Pai
     shaders.variants.push_back(
         {variant, placesOf(bodyVertexParts(variant), true), placesOf(surfaceFragmentParts(variant), false)});
   };
-  constexpr std::array kMovingLegs{Legs::one, Legs::oneSpinning, Legs::many, Legs::manySpinning};
+  constexpr std::array kMovingLegs{Legs::one, Legs::oneSpinning, Legs::aroundTurn, Legs::many,
+                                   Legs::manySpinning};
   for (const Switches& state : statesOf(recorded)) {
     for (const Paint paint : resting) add({Legs::rest, paint, state, ViewTime::seen, followsLamps});
     for (const Legs legs : kMovingLegs) {

@@ -46,9 +46,12 @@ void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
 Legs legsOf(std::span<const GpuLeg> legs, bool round) {
   const bool spins =
       !round && std::any_of(legs.begin(), legs.end(), [](const GpuLeg& leg) { return leg.spin.w > 0.0F; });
+  const bool glides =
+      std::any_of(legs.begin(), legs.end(), [](const GpuLeg& leg) { return leg.glide.w > 0.0F; });
+  if (glides || legs.size() > 2 || (spins && legs.size() == 2))
+    return spins ? Legs::manySpinning : Legs::many;
+  if (!spins) return legs.size() == 2 ? Legs::aroundTurn : Legs::one;
   const GpuLeg& first = legs.front();
-  if (legs.size() > 1 || first.glide.w > 0.0F) return spins ? Legs::manySpinning : Legs::many;
-  if (!spins) return Legs::one;
   const bool even = first.spinSlows.y == 0.0F && first.spin.w <= kFewSpinSteps;
   return even ? Legs::oneSpinning : Legs::manySpinning;
 }

@@ -126,7 +126,10 @@ std::string hallColours() {
 ShaderParts kernelParts(Legs legs) {
   std::string definitions =
       fmt::format("#define CATCH_UP_SPEED {}\n#define FEW_SPIN_STEPS {:.1f}\n", kCatchUpSpeed, kFewSpinSteps);
-  if (legs != Legs::many && legs != Legs::manySpinning) definitions += "#define ONE_LEG\n";
+  if (legs == Legs::aroundTurn)
+    definitions += "#define TWO_LEGS\n";
+  else if (legs != Legs::many && legs != Legs::manySpinning)
+    definitions += "#define ONE_LEG\n";
   if (legs == Legs::oneSpinning || legs == Legs::manySpinning) definitions += "#define SPINS\n";
   if (legs == Legs::rest) definitions += "#define RESTS\n";
   if (legs == Legs::followed) definitions += "#define FOLLOWED\n";

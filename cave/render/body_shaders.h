@@ -16,6 +16,7 @@ enum class Legs {
   rest,          ///< one leg, at rest on the board
   one,           ///< one straight leg
   oneSpinning,   ///< one straight leg of a body that turns evenly, its rim at no more than 0.99 c
+  aroundTurn,    ///< two straight legs of a body that does not spin
   many,          ///< any number of legs of a body that does not spin
   manySpinning,  ///< any number of legs
   followed       ///< none: the body's points have been solved for (cave/render/seen_rows.h)

@@ -122,7 +122,7 @@ constexpr int kCoarserPucks = 3;
 /// Light, which is computed at vertices, needs cells of this size.
 constexpr double kLitCell_m = 0.05;
 
-/// Returns a puck. A coarser one has of its lower side, which is seen of ghosts at most, only the border.
+/// Returns a puck. A coarser one has few vertices on its lower side, which is seen of ghosts at most.
 vtkSmartPointer<vtkPolyData> puckMesh(double radius_m, double height_m, const Fineness& fineness) {
   const double r = radius_m;
   const double z = 0.5 * height_m;
@@ -145,7 +145,7 @@ vtkSmartPointer<vtkPolyData> puckMesh(double radius_m, double height_m, const Fi
     if (finest) ring({inner, -z}, {outer, -z}, onFace);
   }
   if (finest) return mesh.build();
-  mesh.addPatch(sectorsOf(r, fineness), 1, [&](double u, double v) {
+  mesh.addPatch(sectorsOf(r, fineness), 2, [&](double u, double v) {
     const double angle_rad = 2.0 * std::numbers::pi * u, from_m = v * (r - bevel);
     return PatchPoint{{from_m * std::cos(angle_rad), from_m * std::sin(angle_rad), -z}, onFace};
   });

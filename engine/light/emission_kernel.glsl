@@ -168,6 +168,26 @@ KERNEL void addJoining(INOUT(VertexPath) path, Joining joining, LegView leg, int
   path.count = path.count + 2;
 }
 
+/// The same as below, of a body with two legs: the first has no beginning, and the vertex leaves it once.
+KERNEL VertexEmission emissionAroundTurn(LEGS legs, vec3 d, bool retarded) {
+  LegView before = legAt(legs, 0);
+  LegView after = legAt(legs, 1);
+  vec4 signal = after.signalInPrevious;
+  VertexEmission emission;
+  emission.event = emissionOnLeg(before, d, retarded, true);
+  emission.leg = 0;
+  emission.catchingUp = false;
+  if (!reachedBy(signal, emission.event)) return emission;
+  Piece rest = Piece(vec4(real(0), d), vec3(real(0)));
+  vec4 a = isCurved(before) ? crossingOnCurve(before, d, signal) : crossingOf(rest, signal);
+  Joining joining = joinLeg(after, d, fromPreviousLeg(after, a));
+  emission.event = emissionOnLeg(after, d, retarded, true);
+  emission.catchingUp = emission.event.x < joining.rest.start.x;
+  if (emission.catchingUp) emission.event = retarded ? emissionOn(joining.way, after) : momentOn(joining.way, after);
+  emission.leg = 1;
+  return emission;
+}
+
 /// The emission event of the vertex at intrinsic offset d of a body that has these legs.
 ///
 /// A vertex keeps to its leg until the signal that ends it, spreading at c, arrives (A), then catches up with
@@ -175,6 +195,7 @@ KERNEL void addJoining(INOUT(VertexPath) path, Joining joining, LegView leg, int
 /// short. So every vertex has a continuous world line slower than light, and exactly one emission event.
 KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retarded, bool contracted) {
   if (!contracted) return uncontractedEmission(legs, legCount, d, retarded);
+  if (legCount == 2) return emissionAroundTurn(legs, d, retarded);
   LegView leg = legAt(legs, 0);
   VertexEmission emission;
   emission.event = emissionOnLeg(leg, d, retarded, true);

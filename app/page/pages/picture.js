@@ -1,6 +1,6 @@
 // The picture: the program's own shaders (cave/render/shaders) in WebGL 2, over legs that the engine prepares.
 const kLegFloats = 68, kLegsInRow = 60;
-const kLegs = { rest: 0, one: 1, oneSpinning: 2, many: 3, manySpinning: 4 };
+const kLegs = { rest: 0, one: 1, oneSpinning: 2, aroundTurn: 3, many: 4, manySpinning: 5 };
 
 class Picture {
   constructor(canvas, content, engine) {
@@ -145,10 +145,13 @@ class Picture {
     if (body === 0) return layer.moment ? kLegs.one : kLegs.rest;
     const first = layer.ranges[3 * body], count = layer.ranges[3 * body + 1], { legs } = layer;
     const leg = (i, at) => legs[kLegFloats * (first + i) + at];
-    let spins = false;
-    for (let i = 0; i < count && !part.isRound; ++i) spins = spins || leg(i, 63) > 0;
-    if (count > 1 || leg(0, 51) > 0) return spins ? kLegs.manySpinning : kLegs.many;
-    if (!spins) return kLegs.one;
+    let spins = false, glides = false;
+    for (let i = 0; i < count; ++i) {
+      spins = spins || !part.isRound && leg(i, 63) > 0;
+      glides = glides || leg(i, 51) > 0;
+    }
+    if (glides || count > 2 || spins && count === 2) return spins ? kLegs.manySpinning : kLegs.many;
+    if (!spins) return count === 2 ? kLegs.aroundTurn : kLegs.one;
     return leg(0, 65) === 0 && leg(0, 63) <= this.about.fewSpinSteps ? kLegs.oneSpinning : kLegs.manySpinning;
   }
 

@@ -1,23 +1,30 @@
 // Returns the legs of a body. A single leg comes from uniforms and is straight, and a spin on it even and
-// solved in few steps; the leg of a body at rest on the board also has a known velocity. The compiler then
-// leaves out what friction, spin and motion need.
+// solved in few steps; the leg of a body at rest on the board also has a known velocity. Two legs, where a
+// shader is for just two, are straight and without spin. The compiler then leaves out what friction, spin,
+// motion and further turns need.
 
 #ifdef ONE_LEG
 uniform vec4 onlyLeg[17];
 #define LEG_TEXEL(i) onlyLeg[i]
 #define LEG_COUNT 1
-#define GLIDE vec4(0.0)
-#define SPIN_SLOWS vec4(0.0)
 #else
 uniform samplerBuffer legTexels;
 #define LEG_TEXEL(i) texelFetch(legTexels, at + i)
+#ifdef TWO_LEGS
+#define LEG_COUNT 2
+#else
 #define LEG_COUNT legCount
+#endif
+#endif
+#if defined(ONE_LEG) || defined(TWO_LEGS)
+#define GLIDE vec4(0.0)
+#else
 #define GLIDE LEG_TEXEL(12)
-#ifdef SPINS
+#endif
+#if defined(SPINS) && !defined(ONE_LEG)
 #define SPIN_SLOWS LEG_TEXEL(16)
 #else
 #define SPIN_SLOWS vec4(0.0)
-#endif
 #endif
 #ifndef SPINS
 #define SPIN vec4(0.0)

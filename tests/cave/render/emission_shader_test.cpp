@@ -36,18 +36,19 @@ struct Output {
   float boardTime_m = 0.0F;
 };
 
-GlProgram compileSolver(const Switches& switches) {
+GlProgram compileSolver(const Switches& switches, Legs legs) {
   const std::string states =
       std::string("const bool kRetarded = ") + (switches.retardation ? "true" : "false") +
       "; const bool kContracted = " + (switches.contraction ? "true" : "false") + ";\n";
-  const std::string text = "#version 150\n" + kernelText(Legs::manySpinning) + states + R"(
+  const std::string text = "#version 150\n" + kernelText(legs) + states + R"(
     in vec3 offset_m;
     in ivec2 range;
     out vec3 seen_m;
     out float distanceInBody_m;
     out float boardTime_m;
     void main() {
-      VertexEmission emission = solveEmission(range.x, range.y, offset_m, kRetarded, kContracted);
+      int legCount = range.y;
+      VertexEmission emission = solveEmission(range.x, LEG_COUNT, offset_m, kRetarded, kContracted);
       LegView leg = legAt(range.x, emission.leg);
       seen_m = seenFromEye(leg, emission.event);
       distanceInBody_m = distanceInBody(leg, emission.event);
@@ -74,8 +75,8 @@ GlProgram compileSolver(const Switches& switches) {
 
 /// Runs the solver on the graphics card over all inputs.
 std::vector<Output> solveByShader(const std::vector<kernel_float::LegView>& legs,
-                                  const std::vector<Input>& inputs, const Switches& switches) {
-  const GlProgram program = compileSolver(switches);
+                                  const std::vector<Input>& inputs, const Switches& switches, Legs sort) {
+  const GlProgram program = compileSolver(switches, sort);
   const std::array<GlBuffer, 3> buffers;
   const GlVertexArray vertices;
   const GlTexture texture;
@@ -163,8 +164,8 @@ Cases makeCases(std::uint64_t seed, int count, double maxBeta, int maxBounces, c
 }
 
 /// The largest error over all cases, as a share of the distance.
-double worstError(const Cases& cases) {
-  const std::vector<Output> outputs = solveByShader(cases.legs, cases.inputs, cases.switches);
+double worstError(const Cases& cases, Legs sort = Legs::manySpinning) {
+  const std::vector<Output> outputs = solveByShader(cases.legs, cases.inputs, cases.switches, sort);
   double worst = 0.0;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const BodyView& view = cases.views[i];
@@ -204,6 +205,24 @@ TEST(EmissionShader, AgreesWithDoubleThroughBounces) {
   EXPECT_GT(cases.manyLegs, 2000);
   const double worst = worstError(cases);
   std::printf("worst error: %.2g of the distance, %d cases with several legs\n", worst, cases.manyLegs);
+}
+
+// The shader for bodies with two straight legs knows their number.
+TEST(EmissionShader, AgreesWithDoubleAroundOneTurn) {
+  Graphics graphics;
+  for (const Switches switches : {Switches{}, Switches{0, 1, 1}, Switches{1, 0, 1}}) {
+    SCOPED_TRACE(testing::Message() << "retardation " << +switches.retardation << ", contraction "
+                                    << +switches.contraction);
+    const Cases all = makeCases(19, 10000, 0.9, 2, switches);
+    Cases cases{switches, all.legs, {}, {}, 0};
+    for (std::size_t i = 0; i < all.inputs.size(); ++i) {
+      if (all.inputs[i].legCount != 2) continue;
+      cases.inputs.push_back(all.inputs[i]);
+      cases.views.push_back(all.views[i]);
+    }
+    EXPECT_GT(cases.inputs.size(), 500U);
+    worstError(cases, Legs::aroundTurn);
+  }
 }
 
 TEST(EmissionShader, AgreesWithDoubleWithoutRetardationOrContraction) {
