@@ -105,6 +105,16 @@ class PlanReader {
     return label;
   }
 
+  LessonArrow arrow(const TomlTable& table) const {
+    LessonArrow arrow;
+    arrow.explains = table.flag("explains");
+    if (table.has("body") == table.has("at_m"))
+      table.fault("body", "an arrow points to a body or to a place, expected either body or at_m");
+    if (table.has("body")) arrow.body = body(table);
+    if (table.has("at_m")) arrow.at_m = toVec3(table.numbers<3>("at_m"));
+    return arrow;
+  }
+
   ClothLine line(const TomlTable& table) const {
     return {toVec3(table.numbers<3>("from_m")), toVec3(table.numbers<3>("to_m"))};
   }
@@ -178,6 +188,7 @@ LessonPlan readLessonPlan(const TomlTable& lesson, const LessonGame& game) {
   plan.counters = readAll(lesson, "counter", [&](const TomlTable& table) { return read.counter(table); });
   plan.gauges = readAll(lesson, "gauge", [&](const TomlTable& table) { return read.gauge(table); });
   plan.labels = readAll(lesson, "label", [&](const TomlTable& table) { return read.label(table); });
+  plan.arrows = readAll(lesson, "arrow", [&](const TomlTable& table) { return read.arrow(table); });
   plan.lines = readAll(lesson, "line", [&](const TomlTable& table) { return read.line(table); });
   plan.simultaneous =
       readAll(lesson, "simultaneous", [&](const TomlTable& table) { return read.simultaneous(table); });

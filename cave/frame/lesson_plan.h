@@ -73,6 +73,13 @@ struct LessonLabel {
   bool explains = false;  ///< it stands there only while the lesson explains
 };
 
+/// An arrow from above to what the wall speaks of.
+struct LessonArrow {
+  std::optional<std::size_t> body;  ///< of the scene, as it is seen
+  Vec3 at_m{0.0};                   ///< without a body, the place of the board
+  bool explains = false;            ///< it stands there while the lesson explains, and not while it shows
+};
+
 /// A straight line on the cloth, at rest.
 struct ClothLine {
   Vec3 from_m{0.0}, to_m{0.0};
@@ -97,6 +104,7 @@ struct LessonPlan {
   std::vector<TickCounter> counters;
   std::vector<Gauge> gauges;
   std::vector<LessonLabel> labels;
+  std::vector<LessonArrow> arrows;
   std::vector<ClothLine> lines;
   std::vector<SimultaneityLine> simultaneous;
 };

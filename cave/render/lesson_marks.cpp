@@ -98,6 +98,41 @@ void addCounter(const MarkContext& sight, const Resting& draw, const TickCounter
                    centre_m + Vec3(0.0, 0.0, top_m), glm::vec4(kFlashColour, 1.0F), crowd);
 }
 
+/// Adds an arrow that comes from above on the right, in the plane that faces the person, and ends at `tip_m`.
+void addArrow(const MarkContext& sight, const Resting& draw, const Vec3& tip_m, MarkBuffer& batch) {
+  constexpr double kLength_m = 0.17, kHead_m = 0.06, kHalfHead_m = 0.032, kHalfShaft_m = 0.011;
+  constexpr double kBorder_m = 0.006;
+  const double scale = standingPlate(sight, {}, PlateShape::box, tip_m).scale;
+  const Vec3 right = rightOf(sight, tip_m), up(0.0, 0.0, 1.0);
+  const Vec3 back = glm::normalize(0.6 * right + up), aside = glm::normalize(right - 0.6 * up);
+  const auto at = [&](double back_m, double aside_m) {
+    return draw(tip_m + scale * (back_m * back + aside_m * aside));
+  };
+  // First larger and dark, as its border.
+  for (const double border_m : {kBorder_m, 0.0}) {
+    const glm::vec4 colour(border_m > 0.0 ? glm::vec3(0.02F) : kFlashColour, 1.0F);
+    const double tip = -2.0 * border_m, shoulder = kHead_m + border_m, end = kLength_m + border_m;
+    const double head = kHalfHead_m + 2.0 * border_m, shaft = kHalfShaft_m + border_m;
+    const std::array<glm::dvec3, 4> left{at(tip, 0.0), at(shoulder, -head), at(shoulder, -shaft),
+                                         at(end, -shaft)};
+    const std::array<glm::dvec3, 4> rightSide{at(tip, 0.0), at(shoulder, head), at(shoulder, shaft),
+                                              at(end, shaft)};
+    batch.addStrip(left, rightSide, colour);
+  }
+}
+
+void addArrow(const MarkContext& sight, const Resting& draw, const LessonArrow& arrow,
+              std::span<const double> tops_m, MarkBuffer& batch) {
+  constexpr double kAbove_m = 0.015;
+  Vec3 tip_m = arrow.at_m;
+  if (arrow.body) {
+    const Event& between = sight.observer.middle.observation;
+    tip_m = centreSeen(sight.histories[*arrow.body], between, sight.switches).event.r_m;
+    tip_m.z += tops_m[*arrow.body];
+  }
+  addArrow(sight, draw, tip_m + Vec3(0.0, 0.0, kAbove_m), batch);
+}
+
 /// Adds a plate above a body with a quantity of it; none if it is less than `least`.
 void addGauge(const MarkContext& sight, const Resting& draw, const Gauge& gauge, double top_m, double least,
               LabelLayout& crowd, MarkBuffer& batch) {
@@ -149,8 +184,11 @@ void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<
         hundredthsOf(reading_s(watch, {sight.observer, sight.boardFromRoom, sight.lesson.phase})),
         PlateShape::clock, *watch.stands_m, colourOf(watch.beta), crowd);
   }
-  if (sight.lesson.phase != LessonPhase::explains) return;
-  for (const SimultaneityLine& line : plan.simultaneous) addSimultaneity(sight, line, crowd, batch);
+  const bool explains = sight.lesson.phase == LessonPhase::explains;
+  if (explains)
+    for (const SimultaneityLine& line : plan.simultaneous) addSimultaneity(sight, line, crowd, batch);
+  for (const LessonArrow& arrow : plan.arrows)
+    if (arrow.explains == explains) addArrow(sight, draw, arrow, tops_m, batch);
 }
 
 }  // namespace carom

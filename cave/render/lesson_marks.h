@@ -10,7 +10,8 @@
 namespace carom {
 
 /// Adds the lesson's marks: its lines on the cloth and its labels always; counters, gauges and the plates of
-/// stopwatches once the question is over; lines of simultaneity, and labels that explain, while it explains.
+/// stopwatches once the question is over; lines of simultaneity, and labels that explain, while it explains;
+/// arrows while it shows or while it explains.
 /// `tops_m` is, for every body of the scene, how far it reaches up from its centre.
 void addLessonMarks(const MarkContext& sight, const LessonPlan& plan, std::span<const double> tops_m,
                     LabelLayout& crowd, MarkBuffer& batch);

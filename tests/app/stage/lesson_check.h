@@ -167,6 +167,33 @@ class LessonCheck {
       if (label.words == words) plate({label.at_m + Vec3(0.0, 0.0, 0.07), words});
   }
 
+  /// Expects the arrows of this phase on the wall: each ends above a puck or at its place, and comes from
+  /// above on the right, in its colour.
+  void arrows() const {
+    for (const LessonArrow& arrow : moment.plan().arrows) {
+      const bool isShown = arrow.explains == (moment.record.lesson.phase == LessonPhase::explains);
+      if (!isShown || moment.record.lesson.phase == LessonPhase::asks) continue;
+      const auto& pucks = moment.scenario.billiard.pucks;
+      if (arrow.body && *arrow.body > pucks.size()) continue;  // a scripted body, whose height a mesh has
+      Vec3 tip_m = arrow.at_m;
+      if (arrow.body) {
+        const Puck& puck = pucks[*arrow.body - 1];
+        tip_m = eye.emitting(moment.line(puck.name)).event.r_m + Vec3(0.0, 0.0, 0.5 * puck.height_m);
+      }
+      tip_m.z += 0.015;
+      const Vec3 way = tip_m - eye.at().r_m;
+      const Vec3 right = glm::normalize(Vec3(way.y, -way.x, 0.0));
+      const Vec3 back = glm::normalize(0.6 * right + Vec3(0.0, 0.0, 1.0));
+      onWall(eye.seen(tip_m), "arrow");
+      std::vector<glm::dvec2> within, beside;
+      for (const double along_m : {0.02, 0.03, 0.04, 0.05, 0.06}) {
+        within.push_back(eye.seen(tip_m + along_m * back));
+        beside.push_back(eye.seen(tip_m + along_m * back - 0.2 * right));
+      }
+      isThere(within, beside, kFlashColour, "arrow", 0.75);
+    }
+  }
+
   /// Expects a line on the cloth, where no body covers it: on most of it, in its colour.
   void clothLine(const ClothLine& line) const {
     std::vector<glm::dvec2> on, onCloth, beside;

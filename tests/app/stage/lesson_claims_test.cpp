@@ -528,6 +528,7 @@ class LessonClaims : public testing::Test {
           EXPECT_NE(said.find(claim.says), std::string::npos) << claim.says << " is not said: " << said;
           claim.holds(check);
         }
+        check.arrows();
         EXPECT_GT(claims, 0) << "nothing tells whether the sentences of this lesson are seen";
       }
     }

@@ -390,6 +390,51 @@ TEST(LessonMarks, LabelsStandThereInEachPhase) {
   }
 }
 
+/// Returns the corner of the marks that is nearest to a place in the picture, and how far from it (radians).
+double nearestMark_rad(const MarkBuffer& batch, const glm::dvec3& drawn_m) {
+  double nearest_rad = 1e9;
+  for (const MarkCorner& corner : batch.corners())
+    nearest_rad = std::min(
+        nearest_rad, glm::distance(glm::normalize(glm::dvec3(corner.drawn_m)), glm::normalize(drawn_m)));
+  return nearest_rad;
+}
+
+// An arrow ends a little above where the eye sees the body, or at its place, in the phase that it is of; for
+// moving heads, too.
+TEST(LessonMarks, ArrowsEndAtWhatTheyAreAbout) {
+  test::Random random(77);
+  for (int i = 0; i < 100; ++i) {
+    CASE(random, i);
+    const Event eye{random.in(0.0, 3.0), {random.in(-0.5, 0.5), random.in(-2.5, -1.5), random.in(0.4, 1.2)}};
+    const Lorentz boardFromRoom = Lorentz::boost(random.u(0.8), kC_m_s);
+    const ObserverView observer = observerAt(eye, boardFromRoom.inverse());
+    const Vec3 start_m(random.in(-1.0, 1.0), random.in(-0.5, 0.5), 0.0), beta(random.in(-0.7, 0.7), 0.0, 0.0);
+    const WorldLine resting({{0.0, Vec3(0.0)}, Vec3(0.0), 0.0, {}, 0.0}, kC_m_s, 0.1);
+    const WorldLine moving({{0.0, start_m}, uFromBeta(beta), 0.0, {}, 0.0}, kC_m_s, 0.1);
+    const std::array<WorldLine, 2> histories{resting, moving};
+    MarkContext sight{observer, observer.middle, {}, {}, 1, histories, {}, {}, {}};
+    LessonPlan plan;
+    const Vec3 place_m(random.in(-1.0, 1.0), random.in(-0.5, 0.5), 0.2);
+    plan.arrows = {{1, {}, false}, {{}, place_m, true}};
+    constexpr std::array kTops_m{0.0, 0.05};
+    const Resting draw(sight);
+    const Vec3 body_m = centreSeen(moving, eye, {}).event.r_m + Vec3(0.0, 0.0, kTops_m[1]);
+    for (const auto& [phase, end_m] : {std::pair{LessonPhase::asks, std::optional<Vec3>()},
+                                       {LessonPhase::shows, std::optional(body_m)},
+                                       {LessonPhase::explains, std::optional(place_m)}}) {
+      sight.lesson.phase = phase;
+      LabelLayout crowd(sight);
+      MarkBuffer batch;
+      addLessonMarks(sight, plan, kTops_m, crowd, batch);
+      ASSERT_EQ(batch.corners().empty(), !end_m) << "case " << i;
+      if (!end_m) continue;
+      const glm::dvec3 above_m = draw(*end_m + Vec3(0.0, 0.0, 0.015));
+      const double off_rad = nearestMark_rad(batch, above_m);
+      ASSERT_LT(off_rad, 1e-5) << "case " << i << ": the tip, within rounding";
+    }
+  }
+}
+
 // The plates of a line of simultaneity show the board times of events with one time in the head's frame, and
 // stand where these events are there: x' = γ (x − β c t) along the motion.
 TEST(LessonMarks, ALineOfSimultaneityIsDrawnWhereItsEventsAreForTheObserver) {
