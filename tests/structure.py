@@ -18,19 +18,10 @@ MOST_MEMBERS, MOST_PRIVATE = 15, 12
 # The classes that are larger, and why.
 LARGE = {
     "BodyDrawer": "buffers, programs and uniforms of one pass of drawing",
-    "Console": "the panels of one window",
     "Corners": "the state of one search for a contact of corners",
     "DueQueue": "a data structure: the operations on one heap",
-    "HandTracking": "wand, buttons and SpaceMouse, each with its watch",
-    "LineConnection": "handshake, queues and counts of one connection",
-    "LinkLine::Thread": "all connections of one line, and what both threads share",
     "LinkedPlay": "both sides of one protocol",
-    "LiveSource": "the stages of a live frame",
-    "PlatformMotion": "home, tour, way and what was said of one platform",
-    "SoftBody": "the arrays of one mesh",
-    "SoftPlay": "is being written",
     "StudyRun": "a function for each step of a participant",
-    "StretchedFrame": "the terms of one equation",
 }
 ROOMS = ["app", "cave", "devices", "engine"]
 root = pathlib.Path(sys.argv[1])

@@ -79,8 +79,12 @@ Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& ri
       waits_(waits),
       keyMap_(keys),
       scenario_(&scenario),
-      walls_(graphics, rig, cluster),
-      effects_(keys, namesOf(rig.viewers)),
+      panels_{console::WallsPanel(graphics, rig, cluster),
+              console::EffectsPanel(keys, namesOf(rig.viewers)),
+              {},
+              {},
+              {},
+              {}},
       clocks_(namesOf(rig.viewers)),
       diagram_(scenario, namesOf(rig.viewers)) {
   window_.listen(kText_px, kHeading_px);
@@ -90,13 +94,13 @@ Console::Console(Graphics& graphics, const WindowPlacement& place, const Rig& ri
 }
 
 void Console::play(const Scenario& scenario, const Scene& scene) {
-  bringsLesson_ = scenario.lesson.has_value();
+  opens_.lesson = scenario.lesson.has_value();
   scenario_ = &scenario;
   title_ = scenario.title;
   file_.clear();
-  games_.play(scenario, file_);
-  walls_.play(scene, scenario.billiard.lightSpeed_m_s);
-  events_.play(scenario);
+  panels_.games.play(scenario, file_);
+  panels_.walls.play(scene, scenario.billiard.lightSpeed_m_s);
+  panels_.events.play(scenario);
   diagram_.play(scenario);
   say(scenario.title);
 }
@@ -104,34 +108,34 @@ void Console::play(const Scenario& scenario, const Scene& scene) {
 void Console::say(const std::string& line) { say({now_s_, line, {}}); }
 
 void Console::say(Line line) {
-  said_.push_front(std::move(line));
-  if (said_.size() > kMostSaid) said_.pop_back();
+  log_.lines.push_front(std::move(line));
+  if (log_.lines.size() > kMostSaid) log_.lines.pop_back();
 }
 
 void Console::show(const ConsoleFrame& frame) {
   now_s_ = frame.record.display_s;
-  if (const Notice& notice = frame.record.viewers.front().notice; notice != notice_) {
-    notice_ = notice;
+  if (const Notice& notice = frame.record.viewers.front().notice; notice != log_.latest) {
+    log_.latest = notice;
     if (!notice.empty()) say({now_s_, {}, notice});
   }
-  events_.follow(frame.world);
+  panels_.events.follow(frame.world);
   clocks_.follow(frame.record);
   diagram_.follow(frame.record);
   const bool isShown = frame.settings.console != ConsoleState::waits;
   if (isShown != window_.isVisible()) window_.setVisible(isShown);
   if (!isShown) return;
   const Clock::time_point begun = Clock::now();
-  if (begun < (window_.isPressed() ? earliest_ : due_) || window_.isIconified()) return;
+  if (begun < (window_.isPressed() ? next_.earliest : next_.due) || window_.isIconified()) return;
   if (file_ != frame.settings.playing) {
     file_ = frame.settings.playing;
-    games_.play(*scenario_, file_);
+    panels_.games.play(*scenario_, file_);
   }
   const texts::InLanguage reads(texts::ofSession(frame.settings.languageOf[0]));
-  walls_.prepare(frame);
+  panels_.walls.prepare(frame);
   window_.show({}, [&] { drawAll(frame); });
   window_.swap();
-  earliest_ = begun + kEvery;
-  due_ = std::max(earliest_, begun + (kRest + 1) * (Clock::now() - begun));
+  next_.earliest = begun + kEvery;
+  next_.due = std::max(next_.earliest, begun + (kRest + 1) * (Clock::now() - begun));
 }
 
 void Console::drawAll(const ConsoleFrame& frame) {
@@ -143,7 +147,7 @@ void Console::drawAll(const ConsoleFrame& frame) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  const float left = kGap_px, left_px = effects_.width_px(kLeft_px), right = left_px + 2 * kGap_px;
+  const float left = kGap_px, left_px = panels_.effects.width_px(kLeft_px), right = left_px + 2 * kGap_px;
   const float width = size.x - right - kGap_px;
   const bool isNarrow = size.x < kNarrow_px + (waits_ ? button_px() + kGap_px : 0.0F);
   const float top_px = kTop_px + (isNarrow ? kRow_px : 0.0F), top = top_px + kGap_px;
@@ -152,10 +156,10 @@ void Console::drawAll(const ConsoleFrame& frame) {
   drawTop(frame, isNarrow);
   ImGui::EndChild();
   part("##effects", {left, top}, {left_px, size.y - kGap_px - top});
-  effects_.draw(frame, scenario_->billiard.lightSpeed_m_s);
+  panels_.effects.draw(frame, scenario_->billiard.lightSpeed_m_s);
   ImGui::EndChild();
   part("##walls", {right, top}, {width, kWalls_px});
-  walls_.draw(frame);
+  panels_.walls.draw(frame);
   ImGui::EndChild();
   float below = top + kWalls_px + kGap_px;
   if (keys_ == KeysOf::replay) {
@@ -187,7 +191,7 @@ void Console::drawTop(const ConsoleFrame& frame, bool isNarrow) {
   ImGui::PopFont();
   ImGui::SameLine(0.0F, 30.0F);
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4.0F);
-  recording_.drawLight(frame);
+  panels_.recording.drawLight(frame);
   ImGui::SameLine(0.0F, 24.0F);
   light(lightOfTrackers(frame));
   ImGui::SameLine(0.0F, 4.0F);
@@ -211,7 +215,7 @@ void Console::drawButtons(const ConsoleFrame& frame, const ImVec2& size) {
     tip(texts::console::kNextVisitorTip);
     ImGui::SameLine(0.0F, kGap_px);
   }
-  if (ImGui::Button(texts::withKeyInLayout(texts::console::kKeysButton).c_str(), size)) opensKeys_ = true;
+  if (ImGui::Button(texts::withKeyInLayout(texts::console::kKeysButton).c_str(), size)) opens_.keys = true;
   ImGui::SameLine(0.0F, kGap_px);
   const bool blank = frame.settings.walls.blank != 0;
   ImGui::PushStyleColor(ImGuiCol_Button, blank ? kFair : ImVec4{0.42F, 0.20F, 0.19F, 1.0F});
@@ -238,19 +242,19 @@ void Console::drawTabs(const ConsoleFrame& frame) {
   };
   // The first, so that its name fits where not all do.
   if (frame.classroom) tab(texts::console::kClassTab, [&] { drawClass(frame); });
-  const bool bringsLesson = std::exchange(bringsLesson_, false) && !frame.classroom;
+  const bool bringsLesson = std::exchange(opens_.lesson, false) && !frame.classroom;
   if (scenario_->lesson)
     tab(
         texts::console::kLessonTab, [&] { drawLessonOf(frame); },
         bringsLesson ? ImGuiTabItemFlags_SetSelected : 0);
-  if (frame.study) tab(texts::console::kStudyTab, [&] { study_.draw(frame); });
+  if (frame.study) tab(texts::console::kStudyTab, [&] { panels_.study.draw(frame); });
   if (frame.status.link) tab(texts::link::kTab, [&] { drawLink(frame); });
-  tab(texts::console::kGamesTab, [&] { games_.draw(frame); });
+  tab(texts::console::kGamesTab, [&] { panels_.games.draw(frame); });
   tab(texts::console::kTrackersTab, [&] { drawTrackers(frame); });
   tab(texts::console::kLatencyTab, [&] { drawLatencyNumbers(frame.latency); });
-  tab(texts::console::kEventsTab, [&] { events_.draw(frame.record); });
+  tab(texts::console::kEventsTab, [&] { panels_.events.draw(frame.record); });
   tab(texts::console::kDiagramTab, [&] { drawDiagram(frame); });
-  tab(texts::console::kRecordingTab, [&] { recording_.draw(frame); });
+  tab(texts::console::kRecordingTab, [&] { panels_.recording.draw(frame); });
   ImGui::EndTabBar();
 }
 
@@ -267,7 +271,7 @@ void Console::drawDiagram(const ConsoleFrame& frame) {
 
 /// Draws the log, newest line first.
 void Console::drawSaid() const {
-  for (const Line& line : said_) {
+  for (const Line& line : log_.lines) {
     dim(texts::format(texts::console::kSaidAt, line.said_s));
     ImGui::SameLine();
     words(line.notice.empty() ? texts::other(line.words) : line.notice.words());
@@ -276,9 +280,9 @@ void Console::drawSaid() const {
 
 void Console::drawKeys(std::uint8_t language) {
   constexpr const char* kName = "##keys";
-  if (opensKeys_) {
+  if (opens_.keys) {
     ImGui::OpenPopup(kName);
-    opensKeys_ = false;
+    opens_.keys = false;
   }
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});

@@ -37,7 +37,7 @@ class Console {
   /// Switches to another game. `scenario` and `scene` must stay valid until the next call.
   void play(const Scenario& scenario, const Scene& scene);
   /// Sets the session file that is written from now on; none if the session is not recorded.
-  void writeTo(const std::optional<std::filesystem::path>& file) { recording_.writeTo(file); }
+  void writeTo(const std::optional<std::filesystem::path>& file) { panels_.recording.writeTo(file); }
 
   ScreenPlace place() const { return window_.place(); }
 
@@ -72,22 +72,30 @@ class Console {
   std::string title_;
   const Scenario* scenario_;
   std::string file_;
-  console::WallsPanel walls_;
-  console::EffectsPanel effects_;
-  console::GamesPanel games_;
-  console::EventsPanel events_;
-  console::RecordingPanel recording_;
-  console::StudyPanel study_;
+  struct Panels {
+    console::WallsPanel walls;
+    console::EffectsPanel effects;
+    console::GamesPanel games;
+    console::EventsPanel events;
+    console::RecordingPanel recording;
+    console::StudyPanel study;
+  } panels_;
   console::Playing playing_;
   console::SessionClocks clocks_;
   LiveDiagram diagram_;
-  std::deque<Line> said_;
-  Notice notice_;
+  struct Log {
+    std::deque<Line> lines;
+    Notice latest;
+  } log_;
   double now_s_ = 0.0;  ///< session clock
-  bool opensKeys_ = false;
-  bool bringsLesson_ = false;  ///< the tab of the lesson that has begun comes to the front
+  struct Opens {
+    bool keys = false;
+    bool lesson = false;  ///< the tab of the lesson that has begun comes to the front
+  } opens_;
   /// Earliest and intended time of the next drawing.
-  Clock::time_point earliest_ = Clock::now(), due_ = earliest_;
+  struct Next {
+    Clock::time_point earliest = Clock::now(), due = earliest;
+  } next_;
 };
 
 }  // namespace carom

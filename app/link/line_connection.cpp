@@ -18,14 +18,14 @@ bool LineConnection::shakeHands(LinkClock::time_point now) {
   const TlsStream::State state = tls_.shakeHands();
   if (state == TlsStream::State::over) end("it has not proven the key");
   isProven_ = state == TlsStream::State::open;
-  if (isProven_) begun_ = heard_ = now;
+  if (isProven_) at_.begun = at_.heard = now;
   return isProven_;
 }
 
 /// Answers a ping, or takes the answer to one's own; returns whether it was one of them.
 bool LineConnection::answer(const LinkMessage& message, LinkClock::time_point now) {
   if (const auto* ping = std::get_if<LinkPing>(&message)) {
-    if (!isClosing_) append(LinkPong{*ping}, waiting_);
+    if (!isClosing_) append(LinkPong{*ping}, waiting_.bytes);
     return true;
   }
   const auto* pong = std::get_if<LinkPong>(&message);
@@ -39,7 +39,7 @@ bool LineConnection::answer(const LinkMessage& message, LinkClock::time_point no
 
 void LineConnection::look(LinkClock::time_point now, const LinkLimits& limits, bool calls) {
   if (!isProven_) {
-    if (now - begun_ > limits.handshake) end("it has not proven the key in time");
+    if (now - at_.begun > limits.handshake) end("it has not proven the key in time");
     return;
   }
   // The last words are on their way; the other end closes when it has read them.
@@ -49,35 +49,36 @@ void LineConnection::look(LinkClock::time_point now, const LinkLimits& limits, b
   const auto silence = !calls  ? limits.listening
                        : isNew ? 2 * limits.silence + limits.handshake
                                : limits.silence;
-  if (now - heard_ > silence)
+  if (now - at_.heard > silence)
     end(stream_.isWhole() ? "nothing has come for too long" : "it stopped in the middle of a message");
-  if (!calls && !isLetIn_ && now - begun_ > limits.unknown) end("it has the key, and has not joined");
+  if (!calls && !isLetIn_ && now - at_.begun > limits.unknown) end("it has the key, and has not joined");
   const auto every = pings_ < kFirstPings ? std::chrono::duration<double>(kFirstEvery)
                                           : std::chrono::duration<double>(1.0 / limits.pings_1_s);
-  if (now - pinged_ < every || isClosing_) return;
-  pinged_ = now;
-  append(LinkPing{pings_++, nanosecondsOf(now)}, waiting_);
+  if (now - at_.pinged < every || isClosing_) return;
+  at_.pinged = now;
+  append(LinkPing{pings_++, nanosecondsOf(now)}, waiting_.bytes);
 }
 
 void LineConnection::add(std::span<const std::uint8_t> bytes, const LinkLimits& limits) {
-  if (waiting_.size() - written_ + bytes.size() > limits.waitingBytes)
+  if (waiting_.bytes.size() - waiting_.written + bytes.size() > limits.waitingBytes)
     return end("it takes nothing any more");
-  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+  waiting_.bytes.insert(waiting_.bytes.end(), bytes.begin(), bytes.end());
 }
 
 void LineConnection::write(const LinkLimits& limits) {
   if (!isProven_ || isOver() || shutAt_) return;
   isCrowded_ = tls_.unsent() > limits.unsentBytes;
   if (!present_.empty() && !isCrowded_ && !isClosing_) {
-    waiting_.insert(waiting_.end(), present_.begin(), present_.end());
+    waiting_.bytes.insert(waiting_.bytes.end(), present_.begin(), present_.end());
     present_.clear();
   }
-  const std::size_t size = tls_.write(std::span<const std::uint8_t>(waiting_).subspan(written_));
+  const std::size_t size =
+      tls_.write(std::span<const std::uint8_t>(waiting_.bytes).subspan(waiting_.written));
   traffic_.sentBytes += size;
-  written_ += size;
-  if (written_ == waiting_.size()) {
-    waiting_.clear();
-    written_ = 0;
+  waiting_.written += size;
+  if (waiting_.written == waiting_.bytes.size()) {
+    waiting_.bytes.clear();
+    waiting_.written = 0;
     if (isClosing_ && !shutAt_) {
       tls_.close();
       shutAt_ = LinkClock::now();

@@ -16,7 +16,7 @@ class LineConnection {
  public:
   /// `with`: whom it connects to, in words.
   LineConnection(std::uint64_t number, TlsEnd& end, int socket, std::string with, LinkClock::time_point now)
-      : number_(number), tls_(end, socket), with_(std::move(with)), begun_(now), heard_(now), pinged_(now) {}
+      : number_(number), tls_(end, socket), with_(std::move(with)), at_{now, now, now} {}
 
   std::uint64_t number() const { return number_; }
   const std::string& with() const { return with_; }
@@ -34,7 +34,7 @@ class LineConnection {
   /// Sends what waits.
   void write(const LinkLimits& limits);
   /// Whether something waits that the socket did not take.
-  bool wantsToWrite() const { return !waiting_.empty() || (!present_.empty() && !isCrowded_); }
+  bool wantsToWrite() const { return !waiting_.bytes.empty() || (!present_.empty() && !isCrowded_); }
 
   void add(std::span<const std::uint8_t> bytes, const LinkLimits& limits);
   void setPresent(std::vector<std::uint8_t>& bytes) {
@@ -56,11 +56,16 @@ class LineConnection {
   std::uint64_t number_;
   TlsStream tls_;
   std::string with_, ended_;
-  LinkClock::time_point begun_, heard_, pinged_;
+  struct Times {
+    LinkClock::time_point begun, heard, pinged;
+  } at_;  // when it began, was last heard, and last pinged
   bool isProven_ = false, isLetIn_ = false, isClosing_ = false, isCrowded_ = false;
   LinkStream stream_;
-  std::vector<std::uint8_t> arrived_, waiting_, present_;
-  std::size_t written_ = 0;                      ///< of `waiting_`
+  std::vector<std::uint8_t> arrived_, present_;
+  struct Waiting {
+    std::vector<std::uint8_t> bytes;
+    std::size_t written = 0;  ///< of these
+  } waiting_;
   std::optional<LinkClock::time_point> shutAt_;  ///< when all was written of one that closes
   std::uint64_t pings_ = 0;
   RoundTrips roundTrips_;
@@ -73,7 +78,7 @@ bool LineConnection::read(LinkClock::time_point now, Take&& take) try {
   arrived_.clear();
   const bool isClosed = tls_.read(arrived_) == TlsStream::State::over;
   traffic_.receivedBytes += arrived_.size();
-  if (!arrived_.empty()) heard_ = now;
+  if (!arrived_.empty()) at_.heard = now;
   stream_.add(arrived_, std::chrono::duration<double>(now.time_since_epoch()).count());
   while (std::optional<LinkMessage> message = stream_.next()) {
     if (!answer(*message, now)) take(*message);

@@ -91,15 +91,15 @@ class LinkLine::Thread {
 
   // ------------------------------------------------------------ called by frames
   void take(std::vector<LineNews>& news) {
-    const std::scoped_lock hold(mutex_);
-    std::move(news_.begin(), news_.end(), std::back_inserter(news));
-    news_.clear();
+    const std::scoped_lock hold(shared_.mutex);
+    std::move(shared_.news.begin(), shared_.news.end(), std::back_inserter(news));
+    shared_.news.clear();
   }
   void give(std::uint64_t connection, const LinkMessage& message, bool isLast = false) {
     {
-      const std::scoped_lock hold(mutex_);
-      if (!known_.contains(connection)) return;  // it is over
-      Outgoing& outgoing = outgoing_[connection];
+      const std::scoped_lock hold(shared_.mutex);
+      if (!shared_.known.contains(connection)) return;  // it is over
+      Outgoing& outgoing = shared_.outgoing[connection];
       append(message, outgoing.bytes);
       outgoing.isLast = outgoing.isLast || isLast;
     }
@@ -107,23 +107,23 @@ class LinkLine::Thread {
   }
   void givePresent(std::uint64_t connection, const LinkPresent& present) {
     {
-      const std::scoped_lock hold(mutex_);
-      if (!known_.contains(connection)) return;
-      Outgoing& outgoing = outgoing_[connection];
+      const std::scoped_lock hold(shared_.mutex);
+      if (!shared_.known.contains(connection)) return;
+      Outgoing& outgoing = shared_.outgoing[connection];
       outgoing.present.clear();
       append(present, outgoing.present);
     }
     wake();
   }
   RoundTrip roundTrip(std::uint64_t connection) const {
-    const std::scoped_lock hold(mutex_);
-    const auto found = known_.find(connection);
-    return found == known_.end() ? RoundTrip{} : found->second.roundTrip;
+    const std::scoped_lock hold(shared_.mutex);
+    const auto found = shared_.known.find(connection);
+    return found == shared_.known.end() ? RoundTrip{} : found->second.roundTrip;
   }
   LineTraffic traffic() const {
-    const std::scoped_lock hold(mutex_);
-    LineTraffic all = past_;
-    for (const auto& [number, known] : known_) {
+    const std::scoped_lock hold(shared_.mutex);
+    LineTraffic all = shared_.past;
+    for (const auto& [number, known] : shared_.known) {
       all.sentBytes += known.traffic.sentBytes;
       all.receivedBytes += known.traffic.receivedBytes;
     }
@@ -159,31 +159,37 @@ class LinkLine::Thread {
   LinkAddress address_;
   LinkLimits limits_;
   TlsEnd end_;
-  LinkSocket wake_, listening_, calling_;
-  LinkClock::time_point callAt_{}, calledAt_{};
-  std::size_t attempt_ = 0;
-  std::string saidFailure_;
+  LinkSocket wake_, listening_;
+  struct Calling {
+    LinkSocket socket;
+    LinkClock::time_point againAt{}, since{};
+    std::size_t attempt = 0;
+    std::string saidFailure;
+  } calling_;
   CallGuard guard_;
   std::vector<std::unique_ptr<LineConnection>> connections_;
   std::uint64_t newest_ = 0;
 
-  mutable std::mutex mutex_;  // of:
-  std::vector<LineNews> news_;
-  std::map<std::uint64_t, Outgoing> outgoing_;
-  std::map<std::uint64_t, Known> known_;
-  LineTraffic past_;  ///< of connections that are over
+  /// What both threads use, under the mutex.
+  struct Shared {
+    mutable std::mutex mutex;
+    std::vector<LineNews> news;
+    std::map<std::uint64_t, Outgoing> outgoing;
+    std::map<std::uint64_t, Known> known;
+    LineTraffic past;  ///< of connections that are over
+  } shared_;
 
   std::jthread thread_;  // last, because it uses the rest
 };
 
 void LinkLine::Thread::put(LineNews news) {
-  const std::scoped_lock hold(mutex_);
+  const std::scoped_lock hold(shared_.mutex);
   if (std::holds_alternative<LinkPresent>(news.message)) {
-    std::erase_if(news_, [&](const LineNews& older) {
+    std::erase_if(shared_.news, [&](const LineNews& older) {
       return older.connection == news.connection && std::holds_alternative<LinkPresent>(older.message);
     });
   }
-  news_.push_back(std::move(news));
+  shared_.news.push_back(std::move(news));
 }
 
 void LinkLine::Thread::run(const std::stop_token& stop) {
@@ -204,7 +210,7 @@ void LinkLine::Thread::run(const std::stop_token& stop) {
 void LinkLine::Thread::wait() {
   std::vector<pollfd> waits{{*wake_, POLLIN, 0}};
   if (listening_) waits.push_back({*listening_, POLLIN, 0});
-  if (calling_) waits.push_back({*calling_, POLLOUT, 0});
+  if (calling_.socket) waits.push_back({*calling_.socket, POLLOUT, 0});
   for (const auto& connection : connections_) {
     const bool writes = connection->isProven() && connection->wantsToWrite();
     waits.push_back({connection->socket(), static_cast<short>(writes ? POLLIN | POLLOUT : POLLIN), 0});
@@ -229,11 +235,11 @@ void LinkLine::Thread::accept(LinkClock::time_point now) {
 }
 
 void LinkLine::Thread::failed(const std::string& why, LinkClock::time_point now) {
-  calling_.reset();
-  ++attempt_;
-  callAt_ = now + limits_.callAgain;
-  if (why == saidFailure_) return;
-  saidFailure_ = why;
+  calling_.socket.reset();
+  ++calling_.attempt;
+  calling_.againAt = now + limits_.callAgain;
+  if (why == calling_.saidFailure) return;
+  calling_.saidFailure = why;
   log::note(fmt::format("link: {} does not answer: {}. It is called again.", address_.text(), why));
 }
 
@@ -241,17 +247,17 @@ void LinkLine::Thread::failed(const std::string& why, LinkClock::time_point now)
 void LinkLine::Thread::call(LinkClock::time_point now) {
   if (!connections_.empty()) return;
   std::string why;
-  if (!calling_) {
-    if (now < callAt_) return;
-    calledAt_ = now;
-    calling_ = callTo(address_, attempt_, why);
-    if (!calling_) return failed(why, LinkClock::now());
+  if (!calling_.socket) {
+    if (now < calling_.againAt) return;
+    calling_.since = now;
+    calling_.socket = callTo(address_, calling_.attempt, why);
+    if (!calling_.socket) return failed(why, LinkClock::now());
   }
-  const std::optional<bool> isThere = isAnswered(calling_, why);
-  if (!isThere && now - calledAt_ > limits_.handshake) return failed("it is silent", now);
+  const std::optional<bool> isThere = isAnswered(calling_.socket, why);
+  if (!isThere && now - calling_.since > limits_.handshake) return failed("it is silent", now);
   if (!isThere) return;
   if (!*isThere) return failed(why, now);
-  open(calling_.release(), address_.text(), now);
+  open(calling_.socket.release(), address_.text(), now);
 }
 
 void LinkLine::Thread::serve(LineConnection& connection, LinkClock::time_point now) {
@@ -259,26 +265,26 @@ void LinkLine::Thread::serve(LineConnection& connection, LinkClock::time_point n
     put({LineNews::Kind::message, connection.number(), now, std::move(message), {}});
   });
   if (isOpened) {
-    saidFailure_.clear();
+    calling_.saidFailure.clear();
     {
-      const std::scoped_lock hold(mutex_);
-      known_[connection.number()];
+      const std::scoped_lock hold(shared_.mutex);
+      shared_.known[connection.number()];
     }
     put({LineNews::Kind::opened, connection.number(), now, {}, connection.with()});
   }
   if (!connection.isOver()) connection.look(now, limits_, !address_.listens);
   connection.write(limits_);
-  const std::scoped_lock hold(mutex_);
-  if (const auto found = known_.find(connection.number()); found != known_.end())
+  const std::scoped_lock hold(shared_.mutex);
+  if (const auto found = shared_.known.find(connection.number()); found != shared_.known.end())
     found->second = {connection.roundTrip(), connection.traffic()};
-  if (news_.size() > kMostNews) connection.end("it sent more than is taken here");
+  if (shared_.news.size() > kMostNews) connection.end("it sent more than is taken here");
 }
 
 void LinkLine::Thread::moveOutgoing() {
-  const std::scoped_lock hold(mutex_);
+  const std::scoped_lock hold(shared_.mutex);
   for (const auto& connection : connections_) {
-    const auto found = outgoing_.find(connection->number());
-    if (found == outgoing_.end()) continue;
+    const auto found = shared_.outgoing.find(connection->number());
+    if (found == shared_.outgoing.end()) continue;
     Outgoing& outgoing = found->second;
     connection->add(outgoing.bytes, limits_);
     outgoing.bytes.clear();
@@ -298,12 +304,13 @@ void LinkLine::Thread::clearEnded(LinkClock::time_point now) {
     } else {
       failed(connection->ended(), now);
     }
-    callAt_ = std::max(callAt_, now + (connection->isProven() ? limits_.callAgain / 4 : limits_.callAgain));
-    const std::scoped_lock hold(mutex_);
-    outgoing_.erase(connection->number());
-    past_.sentBytes += connection->traffic().sentBytes;
-    past_.receivedBytes += connection->traffic().receivedBytes;
-    known_.erase(connection->number());
+    calling_.againAt = std::max(calling_.againAt,
+                                now + (connection->isProven() ? limits_.callAgain / 4 : limits_.callAgain));
+    const std::scoped_lock hold(shared_.mutex);
+    shared_.outgoing.erase(connection->number());
+    shared_.past.sentBytes += connection->traffic().sentBytes;
+    shared_.past.receivedBytes += connection->traffic().receivedBytes;
+    shared_.known.erase(connection->number());
   }
   std::erase_if(connections_, [](const auto& connection) { return connection->isOver(); });
 }

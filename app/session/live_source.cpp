@@ -43,7 +43,7 @@ void LiveSource::playAnew() {
   players_ = Players(rig_, scenario_, {});
   announcements_.play();
   frozen_.reset();
-  driven_ = DriveMode::free;
+  previous_.drive = DriveMode::free;
   isNew_ = true;
   lesson_.begin(room_);
 }
@@ -106,7 +106,7 @@ bool LiveSource::move(const RoomStep& step, const OperatorSettings& settings, bo
                       const ShotView* shot, Decision& decision) {
   FrameRecord& record = decision.frame.record;
   record.headset = room_.viewers().putOn(step.times.headset);
-  record.drive.mode = driven_;
+  record.drive.mode = previous_.drive;
   if (shot) {
     ObserverViews seen;
     seen.fill(shot->observer);
@@ -133,7 +133,7 @@ bool LiveSource::move(const RoomStep& step, const OperatorSettings& settings, bo
   record.drive = room_.drive();
   if (lesson_.isHeld()) record.drive.thrust = Vec3(0.0);
   const DriveMode mode = record.drive.mode;
-  if (std::exchange(driven_, mode) != mode)
+  if (std::exchange(previous_.drive, mode) != mode)
     decision.notes.push_back({"drive", kDriveModes[static_cast<std::size_t>(mode)]});
   return still;
 }
@@ -214,9 +214,10 @@ void LiveSource::put(const ObserverViews& views, FrameRecord& record) const {
 double LiveSource::sampleAge_s(double begin_s) {
   const SensorChoice& head = rig_.viewers.front().head.sensor;
   for (const TrackerSample& sample : room_.viewers().samples()) {
-    if (sample.sensor == head.sensor) newestSample_s_ = sample.time_s - rig_.trackers[head.tracker].latency_s;
+    if (sample.sensor == head.sensor)
+      previous_.newestSample_s = sample.time_s - rig_.trackers[head.tracker].latency_s;
   }
-  return begin_s - newestSample_s_;
+  return begin_s - previous_.newestSample_s;
 }
 
 SourceStatus LiveSource::status() const {

@@ -79,11 +79,14 @@ class LiveSource : public FrameSource {
   Announcements announcements_;
   LinkedRoom* link_;                     ///< null: with no other room
   std::optional<ObserverViews> frozen_;  ///< the last views before time was frozen
-  DriveMode driven_ = DriveMode::free;   ///< in the previous frame
   bool isNew_;  ///< its first frame is still to come: no time passes for the viewer while a game is loaded
   double fade_s_ = 0.0;                     ///< how long the walls still come out of black
   std::optional<std::uint64_t> lastFrame_;  ///< number of the last frame
-  double newestSample_s_ = std::numeric_limits<double>::quiet_NaN();  ///< newest head sample, session clock
+  /// Of the previous frame.
+  struct Previous {
+    DriveMode drive = DriveMode::free;
+    double newestSample_s = std::numeric_limits<double>::quiet_NaN();  ///< of the head, session clock
+  } previous_;
 };
 
 }  // namespace carom

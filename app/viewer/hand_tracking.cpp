@@ -52,15 +52,15 @@ HandTracking::HandTracking(const Rig& rig, const ViewerSetup& viewer, Trackers t
   place_.emplace(viewer.hand->sensor, wand.roomFromTracker);
   sensorFromHand_ = inverse(viewer.hand->handFromSensor);
   sensor_ = viewer.hand->sensor;
-  wandName_ = buttonsName_ = wand.name;
+  wandName_ = buttons_.name = wand.name;
   wandWatch_.emplace(wandName_, sensor_, kWithoutWand);
-  otherButtons_ = viewer.hand->buttons.has_value();
-  if (!otherButtons_) {
-    buttonsSensor_ = wand.kind == TrackerKind::vrpn ? 0 : sensor_;  // as vrpn_decoder.h
+  buttons_.isOther = viewer.hand->buttons.has_value();
+  if (!buttons_.isOther) {
+    buttons_.sensor = wand.kind == TrackerKind::vrpn ? 0 : sensor_;  // as vrpn_decoder.h
     return;
   }
-  buttonsName_ = rig.trackers[*viewer.hand->buttons].name;
-  buttonsWatch_.emplace(buttonsName_, std::nullopt);
+  buttons_.name = rig.trackers[*viewer.hand->buttons].name;
+  buttons_.watch.emplace(buttons_.name, std::nullopt);
 }
 
 TrackerReport reportOf(const std::string& name, const char* use, const Tracker& tracker,
@@ -80,7 +80,7 @@ void HandTracking::report(double now_s, const Tracker& headTracker,
   const Tracker& wand = trackers_.wand ? *trackers_.wand : headTracker;
   if (place_) reports.push_back(reportOf(wandName_, "hand", wand, &*place_, now_s));
   if (trackers_.buttons)
-    reports.push_back(reportOf(buttonsName_, "buttons", *trackers_.buttons, nullptr, now_s));
+    reports.push_back(reportOf(buttons_.name, "buttons", *trackers_.buttons, nullptr, now_s));
   if (trackers_.spaceMouse)
     reports.push_back(reportOf(spaceMouseName_, "steering", *trackers_.spaceMouse, nullptr, now_s));
 }
@@ -88,11 +88,11 @@ void HandTracking::report(double now_s, const Tracker& headTracker,
 /// Returns whether a sensor's buttons are the wand's. Another tracker numbers its sensors in its own way, so
 /// its first sensor that sends buttons is taken, unless the one with the wand's number sends some too.
 bool HandTracking::isOfTheWand(int sensor) {
-  if (otherButtons_ && sensor != buttonsSensor_ && (!buttonsSensor_ || sensor == sensor_)) {
-    buttonsSensor_ = sensor;
+  if (buttons_.isOther && sensor != buttons_.sensor && (!buttons_.sensor || sensor == sensor_)) {
+    buttons_.sensor = sensor;
     releaseWand();
   }
-  return sensor == buttonsSensor_;
+  return sensor == buttons_.sensor;
 }
 
 /// Releases all buttons: they must be pressed again.
@@ -107,8 +107,8 @@ void HandTracking::takeButtons(std::span<const Reading> inputs) {
     if (reading.kind != Reading::Kind::button && reading.kind != Reading::Kind::axis) continue;
     if (!isOfTheWand(reading.sensor)) continue;
     wandChanges_.take(reading, devices_.wand);
-    if (buttons_ != Buttons::came) buttonsTold_ = buttons_ == Buttons::awaited;
-    buttons_ = Buttons::came;
+    if (buttons_.state != Buttons::State::came) buttons_.isTold = buttons_.state == Buttons::State::awaited;
+    buttons_.state = Buttons::State::came;
   }
 }
 
@@ -120,7 +120,7 @@ void HandTracking::followWand(double now_s, std::span<const TrackerSample> sampl
     trackers_.wand->poll(now_s, samples_);
     trackers_.wand->takeInputs(inputs_);
     samples = samples_;
-    if (!otherButtons_) inputs = inputs_;
+    if (!buttons_.isOther) inputs = inputs_;
   }
   place_->see(now_s, samples);
   wandWatch_->see(now_s, samples);
@@ -157,14 +157,16 @@ void HandTracking::follow(double now_s, std::span<const TrackerSample> samples,
 std::optional<std::string> HandTracking::tellOfButtons(double now_s, bool tracked) {
   if (!tracked) trackedSince_s_.reset();
   if (tracked && !trackedSince_s_) trackedSince_s_ = now_s;
-  if (buttons_ == Buttons::awaited && trackedSince_s_ && now_s - *trackedSince_s_ >= kButtonsWithin_s) {
-    buttons_ = Buttons::missed;
-    return fmt::format("Tracker {}: no button or axis of the hand has come yet; {}", buttonsName_,
-                       otherButtons_ ? "without one the wand only points"
-                                     : "if it has none, name a tracker that has some as buttons of [hand]");
+  if (buttons_.state == Buttons::State::awaited && trackedSince_s_ &&
+      now_s - *trackedSince_s_ >= kButtonsWithin_s) {
+    buttons_.state = Buttons::State::missed;
+    return fmt::format("Tracker {}: no button or axis of the hand has come yet; {}", buttons_.name,
+                       buttons_.isOther
+                           ? "without one the wand only points"
+                           : "if it has none, name a tracker that has some as buttons of [hand]");
   }
-  if (std::exchange(buttonsTold_, true)) return {};
-  return fmt::format("Tracker {}: the hand's buttons have come", buttonsName_);
+  if (std::exchange(buttons_.isTold, true)) return {};
+  return fmt::format("Tracker {}: the hand's buttons have come", buttons_.name);
 }
 
 std::vector<std::string> HandTracking::look(double now_s, const Tracker& headTracker) {
@@ -177,9 +179,9 @@ std::vector<std::string> HandTracking::look(double now_s, const Tracker& headTra
   well.state = TrackerHealth::State::delivering;
   tell(wandWatch_->look(now_s, trackers_.wand ? trackers_.wand->health(now_s) : well));
   bool tracked = devices_.wandKnown;
-  if (otherButtons_) {
+  if (buttons_.isOther) {
     const TrackerHealth health = (trackers_.buttons ? *trackers_.buttons : headTracker).health(now_s);
-    if (trackers_.buttons) tell(buttonsWatch_->look(now_s, health));
+    if (trackers_.buttons) tell(buttons_.watch->look(now_s, health));
     if (health.state != TrackerHealth::State::delivering && health.state != TrackerHealth::State::untouched) {
       releaseWand();
       tracked = false;

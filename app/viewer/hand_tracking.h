@@ -73,19 +73,25 @@ class HandTracking {
   std::optional<std::string> tellOfButtons(double now_s, bool tracked);
 
   Trackers trackers_;
-  std::string wandName_, spaceMouseName_, buttonsName_;  ///< as named in the rig
+  std::string wandName_, spaceMouseName_;  ///< as named in the rig
   std::optional<SensorPlace> place_;
   Pose sensorFromHand_;
-  int sensor_ = 0;                    ///< sensor number of the wand
-  bool otherButtons_ = false;         ///< the buttons come from another tracker than the pose
-  std::optional<int> buttonsSensor_;  ///< sensor number that sends the buttons; empty until one has
+  int sensor_ = 0;  ///< sensor number of the wand
   HandDevices devices_;
   ButtonChanges wandChanges_, mouseChanges_;
   std::vector<TrackerSample> samples_;
   std::vector<Reading> inputs_;
-  std::optional<TrackerAlarm> wandWatch_, buttonsWatch_;
-  enum class Buttons { awaited, missed, came } buttons_ = Buttons::awaited;
-  bool buttonsTold_ = true;               ///< the state `buttons_` has been reported
+  std::optional<TrackerAlarm> wandWatch_;
+  /// Where the buttons come from, and whether they have.
+  struct Buttons {
+    enum class State { awaited, missed, came };
+    std::string name;           ///< of their tracker, as in the rig
+    bool isOther = false;       ///< another tracker than that of the pose
+    std::optional<int> sensor;  ///< number that sends them; empty until one has
+    std::optional<TrackerAlarm> watch;
+    State state = State::awaited;
+    bool isTold = true;  ///< the state has been reported
+  } buttons_;
   std::optional<double> trackedSince_s_;  ///< when both trackers began to deliver
 };
 

@@ -44,7 +44,22 @@ Heads headsOnTheWay(const Observers& before, std::span<const Head> heads, double
   return there;
 }
 
+/// Returns a trip from rest to rest: half of the distance accelerating, half decelerating. On the hyperbola γ
+/// − 1 = a x/c² = 2 sinh²(η/2) (Rindler 2006, §3.8); if the top speed would be too high, the platform coasts
+/// in between: x = c u τ.
+std::array<Thrust, kTripPushes> tripAlong(const Vec3& wayInRoom_m, double strongest_m_s2, double most_u,
+                                          double c_m_s) {
+  const double length_m = glm::length(wayInRoom_m);
+  const Vec3 thrust_m_s2 = wayInRoom_m * (strongest_m_s2 / length_m);
+  const double perMetre = strongest_m_s2 / (c_m_s * c_m_s);
+  const double off_m = std::min(0.5 * length_m, (std::hypot(1.0, most_u) - 1.0) / perMetre);
+  const double off_s = 2.0 * std::asinh(std::sqrt(0.5 * perMetre * off_m)) * c_m_s / strongest_m_s2;
+  const double coast_s = (length_m - 2.0 * off_m) / (c_m_s * most_u);
+  return {{{off_s, thrust_m_s2}, {coast_s, Vec3(0.0)}, {off_s, -thrust_m_s2}}};
+}
+
 constexpr int kHalvings = 60;  // of a frame: below rounding
+constexpr double kEndless_s = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -64,12 +79,11 @@ double PlatformMotion::Left::partThatLasts(double for_s, const Vec3& thrust_m_s2
 /// Returns the mean thrust over the rest of a frame. `gain_m_s`: what the room's rapidity, times c, gains in
 /// so much of its time.
 template <typename Gain>
-PlatformMotion::Manoeuvre PlatformMotion::meanOf(const Left& left, const Gain& gain_m_s) {
-  constexpr double kEndless_s = std::numeric_limits<double>::infinity();
+Vec3 PlatformMotion::Left::meanOf(const Gain& gain_m_s) const {
   constexpr double kLeastLapse = 0.25;  // 1/2 less what observers move in a frame
-  const auto isShorter = [&](double rest_s) { return left.platform_s(gain_m_s(rest_s) / rest_s) > rest_s; };
-  const double most_s = bisect({0.0, left.platform_s() / kLeastLapse}, kHalvings, isShorter).high;
-  return {kEndless_s, most_s > 0.0 ? gain_m_s(most_s) / most_s : Vec3(0.0)};
+  const auto isShorter = [&](double rest_s) { return platform_s(gain_m_s(rest_s) / rest_s) > rest_s; };
+  const double most_s = bisect({0.0, platform_s() / kLeastLapse}, kHalvings, isShorter).high;
+  return most_s > 0.0 ? gain_m_s(most_s) / most_s : Vec3(0.0);
 }
 
 PlatformMotion::PlatformMotion(const Scenario& scenario, const RoomAxes& axes, bool begins)
@@ -78,65 +92,54 @@ PlatformMotion::PlatformMotion(const Scenario& scenario, const RoomAxes& axes, b
       most_u_(scenario.most_u),
       up_(axes.up),
       boardFromHome_{scenario.observer.position_m, attitudeOf(startingRoom(scenario.observer, axes, c_m_s_))},
-      atStart_u_(startingRoom(scenario.observer, axes, c_m_s_).u()) {
+      atStart_u_(startingRoom(scenario.observer, axes, c_m_s_).u()),
+      way_(std::max(2 * scenario.tour.size(), kTripPushes)) {
   if (const auto& board = scenario.billiard.board)
     halfHall_m_ = 0.5 * hallFloor_m({board->length_m, board->width_m}) - kToWall_m;
   double at_s = 0.0;
   for (const ThrustLeg& leg : scenario.tour) {
-    if (leg.from_s > at_s) tour_.push_back({leg.from_s - at_s, Vec3(0.0)});
+    if (leg.from_s > at_s) tour_.thrusts.push_back({leg.from_s - at_s, Vec3(0.0)});
     const Vec3& thrust = leg.thrust_m_s2;
-    tour_.push_back({leg.for_s, axes.right * thrust.x + axes.forward * thrust.y + axes.up * thrust.z});
+    tour_.thrusts.push_back(
+        {leg.for_s, axes.right * thrust.x + axes.forward * thrust.y + axes.up * thrust.z});
     at_s = leg.from_s + leg.for_s;
   }
-  way_.reserve(std::max(tour_.size(), kTripPushes));
   if (begins && scenario.tourAtOnce) setOut();
 }
 
 void PlatformMotion::begin(const Observers& observers) {
-  setsOut_ = false;
+  tour_.isDue = false;
   const Vec3 u = observers.boardFromRoom().u();
-  if (tour_.empty()) {
-    notice_ = texts::message::kNoFlight;
+  if (tour_.thrusts.empty()) {
+    notices_.latest = texts::message::kNoFlight;
   } else if (view_.mode == DriveMode::tour) {
-    notice_ = texts::message::kFlightUnderWay;
+    notices_.latest = texts::message::kFlightUnderWay;
   } else if (glm::length(u) > kTourFrom_u && glm::length(u - atStart_u_) > kTourFrom_u) {
-    notice_ = texts::message::kFlightBeginsAtRest;
+    notices_.latest = texts::message::kFlightBeginsAtRest;
   } else {
-    take(tour_);
+    way_.take(tour_.thrusts);
     view_.mode = DriveMode::tour;
-    thrusts_ = false;
+    tour_.hasSetOut = false;
   }
 }
 
 void PlatformMotion::endTour(const Observers& observers) {
   leaveWay(DriveMode::free);
-  const double board_s = observers.headEvent(setOutBy_).t_s - setOutBoard_s_,
-               own_s = observers.properTime_s(setOutBy_) - setOutOwn_s_;
-  notice_ = texts::say(texts::message::kFlightFinished, board_s, own_s);
-}
-
-void PlatformMotion::take(std::span<const Thrust> way) {
-  way_.assign(way.begin(), way.end());
-  push_ = 0;
-  pushed_s_ = 0.0;
+  const double board_s = observers.headEvent(tour_.by).t_s - tour_.setOut_s,
+               own_s = observers.properTime_s(tour_.by) - tour_.setOutOwn_s;
+  notices_.latest = texts::say(texts::message::kFlightFinished, board_s, own_s);
 }
 
 void PlatformMotion::leaveWay(DriveMode mode) {
-  way_.clear();
-  push_ = 0;
+  way_.leave();
   view_.mode = mode;
-}
-
-void PlatformMotion::sayOnce(bool& said, const texts::Saying& words) {
-  if (!said) notice_ = words;
-  said = true;
 }
 
 void PlatformMotion::apply(const DriveWish& wish) {
   const bool steers = glm::length(wish.steer) > kMeant;
   steered_ = steered_ || steers;
   if (view_.mode == DriveMode::tour && (wish.home || wish.brake || steers))
-    notice_ = texts::message::kFlightInterrupted;
+    notices_.latest = texts::message::kFlightInterrupted;
   if (wish.home) {
     if (view_.mode != DriveMode::home) leaveWay(DriveMode::home);
   } else if (wish.brake) {
@@ -150,7 +153,7 @@ void PlatformMotion::advance(const DriveWish& wish, double dtau_s, double pace, 
                              Observers& observers, std::size_t steering) {
   steering_ = steering;
   strongest_m_s2_ = strongestThrust_m_s2(c_m_s_, observers.farthestFrom_m(steering));
-  if (setsOut_) begin(observers);
+  if (tour_.isDue) begin(observers);
   apply(wish);
   view_.atLimit = 0;
   observers.beginFrame();
@@ -164,10 +167,11 @@ void PlatformMotion::advance(const DriveWish& wish, double dtau_s, double pace, 
     const Heads here = headsOnTheWay(before, heads, elapsed);
     const Left left{frame, observers, 1.0 - elapsed};
     const Manoeuvre stretch = next(wish, observers, here[steering].roomFromHead.position_m, left);
-    if (view_.mode == DriveMode::tour && stretch.thrust_m_s2 != Vec3(0.0) && !std::exchange(thrusts_, true)) {
-      setOutBy_ = steering;
-      setOutBoard_s_ = observers.headEvent(steering).t_s;
-      setOutOwn_s_ = observers.properTime_s(steering);
+    if (view_.mode == DriveMode::tour && stretch.thrust_m_s2 != Vec3(0.0) &&
+        !std::exchange(tour_.hasSetOut, true)) {
+      tour_.by = steering;
+      tour_.setOut_s = observers.headEvent(steering).t_s;
+      tour_.setOutOwn_s = observers.properTime_s(steering);
     }
     const double until = stretch.for_s < left.platform_s(stretch.thrust_m_s2)
                              ? elapsed + left.partThatLasts(stretch.for_s, stretch.thrust_m_s2)
@@ -180,10 +184,10 @@ void PlatformMotion::advance(const DriveWish& wish, double dtau_s, double pace, 
     elapsed = until;
   }
   if (elapsed < 1.0) observers.step((1.0 - elapsed) * dtau_s, heads, pace, Vec3(0.0), steering);
-  if (view_.mode == DriveMode::tour && push_ == way_.size()) endTour(observers);
+  if (view_.mode == DriveMode::tour && way_.isOver()) endTour(observers);
   const bool far = steered_ && glm::length(glm::dvec2(observers.headEvent(steering).r_m)) > kFar_m;
-  if (far && view_.mode == DriveMode::free) sayOnce(saidFar_, texts::message::kFarFromTable);
-  if (!far) saidFar_ = false;
+  if (far && view_.mode == DriveMode::free) notices_.sayOnce(notices_.saidFar, texts::message::kFarFromTable);
+  if (!far) notices_.saidFar = false;
   const double frame_s = observers.size() > 1 ? observers.room_s() - before.room_s() : frame.platform_s();
   view_.thrust_m_s2 = frame_s > 0.0 ? gained_m_s / frame_s : Vec3(0.0);
   view_.thrust = frame_s > 0.0 ? gained_m_s / (frame_s * strongest_m_s2_) : Vec3(0.0);
@@ -212,7 +216,7 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   if (asked > 1.0 + 1e-9) {
     thrust_m_s2 /= asked;
     view_.atLimit = 1;
-    sayOnce(saidStrongest_, texts::message::kStrongestThrust);
+    notices_.sayOnce(notices_.saidStrongest, texts::message::kStrongestThrust);
   }
   const double left_s = left.platform_s(thrust_m_s2);
   const Lorentz& room = observers.boardFromRoom();
@@ -225,8 +229,9 @@ PlatformMotion::Manoeuvre PlatformMotion::steered(const Vec3& steer, const Obser
   const double after_u = glm::length(after.u());
   if (after_u <= std::max(most_u_, glm::length(room.u()))) return {left_s, thrust_m_s2};
   view_.atLimit = 1;
-  sayOnce(saidFastest_,
-          texts::say(texts::message::kFastest, most_u_ / std::hypot(1.0, most_u_), std::hypot(1.0, most_u_)));
+  notices_.sayOnce(
+      notices_.saidFastest,
+      texts::say(texts::message::kFastest, most_u_ / std::hypot(1.0, most_u_), std::hypot(1.0, most_u_)));
   return {left.platform_s()};
 }
 
@@ -239,7 +244,7 @@ PlatformMotion::Manoeuvre PlatformMotion::coast(const Observers& observers, cons
 }
 
 PlatformMotion::Manoeuvre PlatformMotion::stopAtWall(const Observers& observers, const Left& left) {
-  sayOnce(saidWall_, texts::message::kHallWall);
+  notices_.sayOnce(notices_.saidWall, texts::message::kHallWall);
   return brake(observers, left);
 }
 
@@ -268,7 +273,7 @@ PlatformMotion::Manoeuvre PlatformMotion::brake(const Observers& observers, cons
   const Vec3 thrust_m_s2 = along * strongest_m_s2_;
   const double stops_s = c_m_s_ * std::asinh(u) / strongest_m_s2_;
   if (left.observers.size() > 1)
-    return meanOf(left, [&](double for_s) { return thrust_m_s2 * std::min(for_s, stops_s); });
+    return {kEndless_s, left.meanOf([&](double for_s) { return thrust_m_s2 * std::min(for_s, stops_s); })};
   return {std::min(left.platform_s(thrust_m_s2), stops_s), thrust_m_s2};
 }
 
@@ -276,7 +281,7 @@ PlatformMotion::Manoeuvre PlatformMotion::brake(const Observers& observers, cons
 /// meanwhile, the room ends slightly off; then the trip is repeated.
 PlatformMotion::Manoeuvre PlatformMotion::returnHome(const Observers& observers, const Vec3& headInRoom_m,
                                                      const Left& left) {
-  if (push_ < way_.size()) return alongWay(left);
+  if (!way_.isOver()) return alongWay(left);
   const Lorentz& room = observers.boardFromRoom();
   if (glm::length(room.u()) > kAtRest_u) return brake(observers, left);
 
@@ -293,50 +298,11 @@ PlatformMotion::Manoeuvre PlatformMotion::returnHome(const Observers& observers,
   const Vec3 floor_m = observers.headEvent(steering_).r_m - boardFromRoom * headInRoom_m;
   const Vec3 way_m = boardFromHome_.position_m - floor_m;
   if (glm::length(way_m) > kInPlace_m) {
-    planTrip(glm::conjugate(boardFromRoom) * way_m);
+    way_.take(tripAlong(glm::conjugate(boardFromRoom) * way_m, strongest_m_s2_, most_u_, c_m_s_));
     return alongWay(left);
   }
   leaveWay(DriveMode::free);
   return {left.platform_s()};
-}
-
-/// Plans a trip from rest to rest: half of the distance accelerating, half decelerating. On the hyperbola γ −
-/// 1 = a x/c² = 2 sinh²(η/2) (Rindler 2006, §3.8); if the top speed would be too high, the platform coasts in
-/// between: x = c u τ.
-void PlatformMotion::planTrip(const Vec3& wayInRoom_m) {
-  const double length_m = glm::length(wayInRoom_m);
-  const Vec3 thrust_m_s2 = wayInRoom_m * (strongest_m_s2_ / length_m);
-  const double perMetre = strongest_m_s2_ / (c_m_s_ * c_m_s_);
-  const double off_m = std::min(0.5 * length_m, (std::hypot(1.0, most_u_) - 1.0) / perMetre);
-  const double off_s = 2.0 * std::asinh(std::sqrt(0.5 * perMetre * off_m)) * c_m_s_ / strongest_m_s2_;
-  const double coast_s = (length_m - 2.0 * off_m) / (c_m_s_ * most_u_);
-  take(std::array<Thrust, kTripPushes>{{{off_s, thrust_m_s2}, {coast_s, Vec3(0.0)}, {off_s, -thrust_m_s2}}});
-}
-
-/// Returns the share of a planned thrust that the platform has: it is weaker, and for longer, where observers
-/// have gone farther apart since the way was planned.
-double PlatformMotion::shareOf(const Thrust& push) const {
-  const double planned_m_s2 = glm::length(push.thrust_m_s2);
-  return planned_m_s2 > strongest_m_s2_ * (1.0 + 1e-9) ? strongest_m_s2_ / planned_m_s2 : 1.0;
-}
-
-/// Returns what the way adds to the platform's rapidity, times c, in so much of the room's time after
-/// `pushed_s` of the thrust `push`, and advances both.
-Vec3 PlatformMotion::gainAlongWay_m_s(double for_s, std::size_t& push, double& pushed_s) const {
-  Vec3 gain_m_s(0.0);
-  while (push < way_.size()) {
-    const double share = shareOf(way_[push]), rest_s = (way_[push].for_s - pushed_s) / share;
-    const double here_s = std::min(rest_s, for_s);
-    gain_m_s += way_[push].thrust_m_s2 * (share * here_s);
-    for_s -= here_s;
-    if (here_s < rest_s) {
-      pushed_s += here_s * share;
-      break;
-    }
-    ++push;
-    pushed_s = 0.0;
-  }
-  return gain_m_s;
 }
 
 // Several observers' clocks run differently with each thrust. Over a whole frame the room has the mean of its
@@ -344,26 +310,12 @@ Vec3 PlatformMotion::gainAlongWay_m_s(double for_s, std::size_t& push, double& p
 // rapidities add up to the same.
 PlatformMotion::Manoeuvre PlatformMotion::alongWay(const Left& left) {
   if (left.observers.size() > 1) {
-    const auto gain_m_s = [&](double for_s) {
-      std::size_t push = push_;
-      double pushed_s = pushed_s_;
-      return gainAlongWay_m_s(for_s, push, pushed_s);
-    };
-    const Manoeuvre mean = meanOf(left, gain_m_s);
-    gainAlongWay_m_s(left.platform_s(mean.thrust_m_s2), push_, pushed_s_);
-    return mean;
+    const Vec3 mean_m_s2 = left.meanOf([&](double for_s) { return way_.gain_m_s(for_s, strongest_m_s2_); });
+    way_.pass(left.platform_s(mean_m_s2), strongest_m_s2_);
+    return {kEndless_s, mean_m_s2};
   }
-  while (push_ < way_.size()) {
-    const Thrust& push = way_[push_];
-    const double rest_s = push.for_s - pushed_s_, left_s = left.platform_s(push.thrust_m_s2);
-    if (rest_s > left_s) {
-      pushed_s_ += left_s;
-      return {left_s, push.thrust_m_s2};
-    }
-    ++push_;
-    pushed_s_ = 0.0;
-    if (rest_s > 0.0) return {rest_s, push.thrust_m_s2};
-  }
+  const auto next = way_.next([&](const Vec3& thrust_m_s2) { return left.platform_s(thrust_m_s2); });
+  if (next) return {next->for_s, next->thrust_m_s2};
   return {view_.mode == DriveMode::home ? 0.0 : left.platform_s()};
 }
 

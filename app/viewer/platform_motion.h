@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/files/scenario.h"
+#include "app/viewer/thrust_way.h"
 #include "cave/record/hand_view.h"
 #include "cave/texts/saying.h"
 #include "engine/spacetime/lorentz.h"
@@ -46,7 +47,7 @@ class PlatformMotion {
   /// Starts the scenario's tour with the next frame, at its first leg. The platform must be at rest or move
   /// as in the scenario's initial state, otherwise the tour would end elsewhere; if it does not, a message
   /// says so.
-  void setOut() { setsOut_ = true; }
+  void setOut() { tour_.isDue = true; }
 
   /// Advances the observers by dτ of the fastest while their tracked heads move to `heads`, as in
   /// Observers::step. The platform follows the wish of observer `steering`, or else its current manoeuvre.
@@ -55,7 +56,7 @@ class PlatformMotion {
 
   const DriveView& view() const { return view_; }  ///< of the last frame; thrust is the mean over it
   /// Returns and clears the message since the last call; empty if there is none.
-  texts::Saying takeNotice() { return std::exchange(notice_, {}); }
+  texts::Saying takeNotice() { return std::exchange(notices_.latest, {}); }
 
  private:
   /// A constant thrust, or a turn about the head, of duration `for_s`.
@@ -64,11 +65,6 @@ class PlatformMotion {
     Vec3 thrust_m_s2{0.0};
     double turn_rad = 0.0;
     Vec3 turnAxisInRoom{0.0};
-  };
-  /// One thrust of the current trip, in the room's axes; it follows the previous one.
-  struct Thrust {
-    double for_s = 0.0;
-    Vec3 thrust_m_s2{0.0};
   };
   /// A frame in which the heads move from where `before` has them to `heads`.
   struct Frame {
@@ -96,6 +92,8 @@ class PlatformMotion {
     double lasts_s(double part, const Vec3& thrust_m_s2) const;
     /// Returns the part of the frame that lasts `for_s`, less than the rest.
     double partThatLasts(double for_s, const Vec3& thrust_m_s2) const;
+    template <typename Gain>
+    Vec3 meanOf(const Gain& gain_m_s) const;
   };
 
   void apply(const DriveWish& wish);
@@ -107,17 +105,10 @@ class PlatformMotion {
   Manoeuvre coast(const Observers& observers, const Left& left);
   Manoeuvre stopAtWall(const Observers& observers, const Left& left);
   bool staysInHall(const Lorentz& boardFromRoom, const Vec3& place_m) const;
-  template <typename Gain>
-  static Manoeuvre meanOf(const Left& left, const Gain& gain_m_s);
   Manoeuvre brake(const Observers& observers, const Left& left) const;
   Manoeuvre returnHome(const Observers& observers, const Vec3& headInRoom_m, const Left& left);
   Manoeuvre alongWay(const Left& left);
-  double shareOf(const Thrust& push) const;
-  Vec3 gainAlongWay_m_s(double for_s, std::size_t& push, double& pushed_s) const;
-  void planTrip(const Vec3& wayInRoom_m);
-  void take(std::span<const Thrust> way);
   void leaveWay(DriveMode mode);
-  void sayOnce(bool& said, const texts::Saying& words);
 
   double c_m_s_, strongest_m_s2_, most_u_;
   std::size_t steering_ = 0;  ///< the observer about whom the room turns, and for whom its thrust is given
@@ -126,18 +117,27 @@ class PlatformMotion {
       halfHall_m_;       ///< how far the head may go from the table's centre; empty: anywhere
   Pose boardFromHome_;   ///< of the room at rest, at home
   Vec3 atStart_u_{0.0};  ///< of the room in the scenario's initial state
-  bool setsOut_ = false;
   /// Steered by hand at some time; otherwise the scenario intends any distance from the table.
   bool steered_ = false;
-  bool thrusts_ = false;                            ///< the tour's first thrust has begun
-  std::size_t setOutBy_ = 0;                        ///< by whose clock the tour is timed
-  double setOutBoard_s_ = 0.0, setOutOwn_s_ = 0.0;  ///< when it did
-  std::vector<Thrust> tour_, way_;
-  std::size_t push_ = 0;   ///< current thrust of `way_`
-  double pushed_s_ = 0.0;  ///< elapsed time of that thrust
+  /// The scenario's flight.
+  struct Tour {
+    std::vector<Thrust> thrusts;
+    bool isDue = false;                        ///< it begins with the next frame
+    bool hasSetOut = false;                    ///< its first thrust has begun
+    std::size_t by = 0;                        ///< the observer whose clock times it
+    double setOut_s = 0.0, setOutOwn_s = 0.0;  ///< board time and that clock's at the first thrust
+  } tour_;
+  ThrustWay way_;
   DriveView view_;
-  texts::Saying notice_;
-  bool saidStrongest_ = false, saidFastest_ = false, saidFar_ = false, saidWall_ = false;
+  struct Notices {
+    texts::Saying latest;
+    bool saidStrongest = false, saidFastest = false, saidFar = false, saidWall = false;
+
+    void sayOnce(bool& said, const texts::Saying& words) {
+      if (!said) latest = words;
+      said = true;
+    }
+  } notices_;
 };
 
 }  // namespace carom

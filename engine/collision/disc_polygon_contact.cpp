@@ -53,19 +53,16 @@ class StretchedFrame {
   StretchedFrame(const MovingShape& disc, const MovingShape& body, const Vec21& origin, const Vec21& U)
       : disc_(disc),
         body_(body),
-        U_(U),
         axes_(U),
         axesOfBody_(body.u),
-        discTime_(dot(U, disc.start - origin)),
-        bodyTime_(dot(U, body.start - origin)),
+        ofDisc_{dot(U, disc.start - origin), dot(U, disc.u)},
+        ofBody_{dot(U, body.start - origin), dot(U, body.u)},
         along_(dot(U, axesOfBody_.x), dot(U, axesOfBody_.y)),
-        gammaOfDisc_(dot(U, disc.u)),
-        gammaOfBody_(dot(U, body.u)),
-        beta_(axes_.place(disc.u) / gammaOfDisc_) {
-    velocity_ = stretched(axes_.place(body.u) / gammaOfBody_ - beta_);
-    perX_ = stretched(axes_.place(axesOfBody_.x));
-    perY_ = stretched(axes_.place(axesOfBody_.y));
-    perS_ = stretched(axes_.place(body.u));
+        beta_(axes_.place(disc.u) / ofDisc_.gamma) {
+    velocity_ = stretched(axes_.place(body.u) / ofBody_.gamma - beta_);
+    per_.x = stretched(axes_.place(axesOfBody_.x));
+    per_.y = stretched(axes_.place(axesOfBody_.y));
+    per_.s = stretched(axes_.place(body.u));
     reach_ = disc.radius + body.radius;
     if (body.turning != 0.0)
       for (const Outline::Side& side : body.outline->sides()) {
@@ -75,14 +72,16 @@ class StretchedFrame {
   }
 
   Vec2 stretched(const Vec2& x) const { return x + beta_ * stretchAlong(x); }
-  Vec2 shrunk(const Vec2& x) const { return x - beta_ * (stretchAlong(x) / gammaOfDisc_); }
+  Vec2 shrunk(const Vec2& x) const { return x - beta_ * (stretchAlong(x) / ofDisc_.gamma); }
   const Vec2& velocity() const { return velocity_; }
   double radius() const { return disc_.radius; }
   double reach() const { return reach_; }
   const MovingShape& body() const { return body_; }
 
   /// The disc's centre at a time of the frame.
-  Vec21 centreAt(double time) const { return disc_.start + disc_.u * ((time - discTime_) / gammaOfDisc_); }
+  Vec21 centreAt(double time) const {
+    return disc_.start + disc_.u * ((time - ofDisc_.time) / ofDisc_.gamma);
+  }
   /// The corners at a time of the frame, written to `places`.
   std::span<const Vec2> cornersAt(double time, Places& places) const {
     const std::span<const Vec2> corners = body_.outline->corners();
@@ -137,16 +136,17 @@ class StretchedFrame {
   }
   /// How fast the gap can close.
   double fastest() const {
-    const double ofBody = std::sqrt(std::max(0.0, 1.0 - 1.0 / (gammaOfBody_ * gammaOfBody_)));
+    const double ofBody = std::sqrt(std::max(0.0, 1.0 - 1.0 / (ofBody_.gamma * ofBody_.gamma)));
     const double turning = std::abs(body_.turning) * body_.radius;
-    return gammaOfDisc_ * (std::min(1.0, ofBody + turning) + glm::length(beta_));
+    return ofDisc_.gamma * (std::min(1.0, ofBody + turning) + glm::length(beta_));
   }
   /// From when to when the tubes around both overlap.
   std::array<double, 2> overlapTimes() const {
     const Vec21 d = body_.start - disc_.start;
-    const Vec2 v = axes_.place(body_.u) / gammaOfBody_ - beta_;
+    const Vec2 v = axes_.place(body_.u) / ofBody_.gamma - beta_;
     // Apart at the time 0 of the frame.
-    const Vec2 apart = axes_.place(d) - axes_.place(body_.u) * (bodyTime_ / gammaOfBody_) + beta_ * discTime_;
+    const Vec2 apart =
+        axes_.place(d) - axes_.place(body_.u) * (ofBody_.time / ofBody_.gamma) + beta_ * ofDisc_.time;
     const double v2 = glm::dot(v, v), half = glm::dot(apart, v),
                  far2 = glm::dot(apart, apart) - reach_ * reach_;
     if (!(v2 > 0.0)) return far2 > 0.0 ? std::array{kNever, -kNever} : std::array{-kNever, kNever};
@@ -158,10 +158,10 @@ class StretchedFrame {
  private:
   double stretchAlong(const Vec2& x) const {
     // (γ − 1)/β² = γ²/(γ + 1)
-    return glm::dot(x, beta_) * (gammaOfDisc_ * gammaOfDisc_ / (gammaOfDisc_ + 1.0));
+    return glm::dot(x, beta_) * (ofDisc_.gamma * ofDisc_.gamma / (ofDisc_.gamma + 1.0));
   }
   static Vec2 across(const Vec2& x) { return {-x.y, x.x}; }
-  Vec2 mapped(const Vec2& w, double s) const { return perX_ * w.x + perY_ * w.y + perS_ * s; }
+  Vec2 mapped(const Vec2& w, double s) const { return per_.x * w.x + per_.y * w.y + per_.s * s; }
   /// A point of the body at a time t of the frame: its own time s, the turn of the body there, and dt/ds.
   struct AtTime {
     double s;
@@ -172,12 +172,12 @@ class StretchedFrame {
   /// rounding.
   AtTime pointAt(const Vec2& point, double time) const {
     constexpr double kShort = 1e-8;
-    AtTime at{(time - bodyTime_) / gammaOfBody_, {}, gammaOfBody_};
+    AtTime at{(time - ofBody_.time) / ofBody_.gamma, {}, ofBody_.gamma};
     for (int step = 0; step < 60; ++step) {
       at.turn = portableSinCos(body_.angle + body_.turning * at.s);
       const Vec2 offset = turned(point, at.turn);
-      const double late = bodyTime_ + glm::dot(along_, offset) + gammaOfBody_ * at.s - time;
-      at.slope = gammaOfBody_ + body_.turning * glm::dot(along_, across(offset));
+      const double late = ofBody_.time + glm::dot(along_, offset) + ofBody_.gamma * at.s - time;
+      at.slope = ofBody_.gamma + body_.turning * glm::dot(along_, across(offset));
       const double by = -late / at.slope, angle = body_.turning * by;
       at.s += by;
       if (std::abs(angle) > kShort) continue;
@@ -189,19 +189,22 @@ class StretchedFrame {
   }
   double bendOf(double length) const {
     const double turning = std::abs(body_.turning), f = turning * body_.radius, a = glm::length(along_);
-    const double slope = gammaOfBody_ - f * a;
+    const double slope = ofBody_.gamma - f * a;
     const double turn1 = turning * a * length / slope;
     const double beside = 2.0 * turn1 * length + turn1 * turn1 * body_.radius;
-    return 0.125 * gammaOfDisc_ * beside * (1.0 + f * a / slope);
+    return 0.125 * ofDisc_.gamma * beside * (1.0 + f * a / slope);
   }
 
   const MovingShape &disc_, &body_;
-  Vec21 U_;
   RestAxes axes_, axesOfBody_;
-  double discTime_, bodyTime_;
+  struct Start {
+    double time, gamma;
+  } ofDisc_, ofBody_;  // the time of the frame at which each starts, and its γ there
   Vec2 along_;
-  double gammaOfDisc_, gammaOfBody_;
-  Vec2 beta_, velocity_, perX_, perY_, perS_;
+  Vec2 beta_, velocity_;
+  struct Mapping {
+    Vec2 x, y, s;
+  } per_;  // of offsets in the body's axes and of its own time
   std::vector<double> bends_;
   double mostBend_ = 0.0;
   double reach_ = 0.0;

@@ -191,8 +191,8 @@ SoftBody::SoftBody(std::shared_ptr<const SoftMesh> mesh, const SoftMaterial& mat
     state_.clock.push_back(0.0);
   }
   tried_ = state_;
-  for (std::vector<double>* each : {&middleX_, &middleY_, &forceX_, &forceY_, &power_, &gained_, &stressXX_,
-                                    &stressXY_, &stressYY_, &pushX_, &pushY_}) {
+  for (std::vector<double>* each : {&middleX_, &middleY_, &on_.forceX, &on_.forceY, &on_.power, &gained_,
+                                    &on_.stressXX, &on_.stressXY, &on_.stressYY, &pushX_, &pushY_}) {
     each->resize(nodes);
   }
   gatherForces(state_.vx, state_.vy);
@@ -249,19 +249,26 @@ void SoftBody::gatherForces(const std::vector<double>& vx, const std::vector<dou
       xy += t.stressXY[c];
       yy += t.stressYY[c];
     }
-    forceX_[i] = fx;
-    forceY_[i] = fy;
-    power_[i] = fx * vx[i] + fy * vy[i] - power;
-    stressXX_[i] = xx;
-    stressXY_[i] = xy;
-    stressYY_[i] = yy;
+    on_.forceX[i] = fx;
+    on_.forceY[i] = fy;
+    on_.power[i] = fx * vx[i] + fy * vy[i] - power;
+    on_.stressXX[i] = xx;
+    on_.stressXY[i] = xy;
+    on_.stressYY[i] = yy;
   }
 }
 
 void SoftBody::invert(const std::vector<double>& px, const std::vector<double>& py,
                       const std::vector<double>& e, std::vector<double>& vx, std::vector<double>& vy) const {
-  const NodeArrays in{size(),           px.data(),        py.data(), e.data(), stressXX_.data(),
-                      stressXY_.data(), stressYY_.data(), vx.data(), vy.data()};
+  const NodeArrays in{size(),
+                      px.data(),
+                      py.data(),
+                      e.data(),
+                      on_.stressXX.data(),
+                      on_.stressXY.data(),
+                      on_.stressYY.data(),
+                      vx.data(),
+                      vy.data()};
   switch (instructions_) {
     case InstructionSet::avx512:
       invertAvx512(in);
@@ -403,9 +410,9 @@ void SoftBody::tryStep(double dt, bool middle) {
   gatherForces(middle ? middleX_ : state_.vx, middle ? middleY_ : state_.vy);
   if (!middle) tried_.vx = state_.vx, tried_.vy = state_.vy;
   for (std::size_t i = 0; i < size(); ++i) {
-    tried_.px[i] = state_.px[i] + dt * forceX_[i];
-    tried_.py[i] = state_.py[i] + dt * forceY_[i];
-    tried_.e[i] = state_.e[i] + dt * power_[i];
+    tried_.px[i] = state_.px[i] + dt * on_.forceX[i];
+    tried_.py[i] = state_.py[i] + dt * on_.forceY[i];
+    tried_.e[i] = state_.e[i] + dt * on_.power[i];
     gained_[i] = 0.0;
   }
   invert(tried_.px, tried_.py, tried_.e, tried_.vx, tried_.vy);
@@ -449,7 +456,7 @@ void SoftBody::commit(double dt) {
 
 glm::dvec2 SoftBody::stressMomentum(std::size_t i, const glm::dvec2& v) const {
   const double x = v.x, y = v.y;
-  const double wx = stressXX_[i] * x + stressXY_[i] * y, wy = stressXY_[i] * x + stressYY_[i] * y;
+  const double wx = on_.stressXX[i] * x + on_.stressXY[i] * y, wy = on_.stressXY[i] * x + on_.stressYY[i] * y;
   const double along = contraction(x, y) * (x * wx + y * wy);
   return {wx - along * x, wy - along * y};
 }
@@ -479,7 +486,8 @@ double SoftBody::elasticEnergy(const SoftBodyDeformation& f, std::size_t triangl
 
 double SoftBody::heatAndStretchOf(std::size_t i) const {
   const double x = state_.vx[i], y = state_.vy[i];
-  const double stress = x * (stressXX_[i] * x + stressXY_[i] * y) + y * (stressXY_[i] * x + stressYY_[i] * y);
+  const double stress =
+      x * (on_.stressXX[i] * x + on_.stressXY[i] * y) + y * (on_.stressXY[i] * x + on_.stressYY[i] * y);
   return state_.e[i] * std::sqrt(1.0 - x * x - y * y) + stress - mass_ * mesh_->nodeShare(i);
 }
 

@@ -178,10 +178,13 @@ class SoftBody {
   InstructionSet instructions_;
   Triangles triangles_;
   State state_, tried_;
-  std::vector<double> middleX_, middleY_;        // velocities
-  std::vector<double> forceX_, forceY_, power_;  // on the nodes
-  std::vector<double> gained_;                   // energy, from contacts
-  std::vector<double> stressXX_, stressXY_, stressYY_;
+  std::vector<double> middleX_, middleY_;  // velocities
+  /// What the triangles do to the nodes.
+  struct OnNodes {
+    std::vector<double> forceX, forceY, power;
+    std::vector<double> stressXX, stressXY, stressYY;
+  } on_;
+  std::vector<double> gained_;  // energy of the nodes, from contacts
   std::vector<double> pushX_, pushY_;
   bool isPushed_ = false;
 };

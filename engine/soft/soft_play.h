@@ -9,11 +9,7 @@
 // its mass, and its spin below 1e-6 M R: the rest of its energy is heat then. Bodies within reach of each
 // other take common steps; others do not know of each other.
 //
-// A stroke p pushes the half of a body that faces it for T = 2R/c_s: node i takes the force w_i p/T, with
-//     w_i = m_i max(0, −X_i·p̂) / Σ m_j max(0, −X_j·p̂)        X_i its relaxed place from the centre, as the
-//     body is turned
-// from the moment at which the light of the hand has reached the node; without a place of the hand all nodes
-// at once.
+// A stroke pushes the half of a body that faces it (engine/soft/soft_push.h).
 // Theory: app/doc/physics.md, Soft bodies.
 
 #include <cstddef>
@@ -25,60 +21,17 @@
 #include <vector>
 
 #include "engine/soft/far_sides.h"
-#include "engine/soft/soft_body.h"
+#include "engine/soft/soft_collisions.h"
 #include "engine/soft/soft_group.h"
+#include "engine/soft/soft_player.h"
+#include "engine/soft/soft_push.h"
 
 namespace carom {
-
-/// A side of a rectangle that moves as a told body does.
-struct SoftHold {
-  /// The told body's motion from a time on, in the order of time; before the first it moves as the soft body.
-  struct Turn {
-    double time = 0.0;
-    glm::dvec2 velocity{0.0};
-  };
-  bool isPlusX = false;  ///< the side +x; otherwise −x
-  std::vector<Turn> turns;
-};
-
-/// A body as it comes into the play: relaxed.
-struct SoftEntry {
-  std::string name;
-  std::shared_ptr<const SoftMesh> mesh;
-  SoftMaterial material;
-  double mass = 0.0;
-  glm::dvec2 centre{0.0};
-  Vec21 u{1.0, 0.0, 0.0};
-  double clock = 0.0;
-  std::vector<SoftHold> holds{};
-};
-
-struct SoftStroke {
-  std::size_t body = 0;
-  Vec21 hand;           ///< its event; without a place only the time counts
-  double height = 0.0;  ///< of the hand above the board's plane of centres
-  bool hasPlace = false;
-  glm::dvec2 momentum{0.0};
-};
 
 /// A rigid body near by, at the start of a slice.
 struct RigidNeighbour {
   glm::dvec2 place{0.0};
   double radius = 0.0;
-};
-
-/// Touches of two bodies, or of a body and a cushion, less than 2R/c_s apart: one collision.
-struct SoftCollision {
-  std::size_t body = 0;
-  std::size_t other = SoftExchange::kNone;    ///< the other body
-  std::size_t cushion = SoftExchange::kNone;  ///< or the cushion
-  Vec21 contact;                              ///< the first touch
-  double lastTouch = 0.0;                     ///< the end of the last step in which they touched
-  bool isOver = false;                        ///< they have not touched for 2R/c_s
-  glm::dvec2 lastPlace{0.0};                  ///< where they touched then
-  glm::dvec2 impulse{0.0};                    ///< received by `body`
-  double heatBefore = 0.0, heatAfter = 0.0;   ///< of both bodies, at the contact and at the last touch
-  double heat() const { return heatAfter - heatBefore; }
 };
 
 /// What the play exchanges with the rest of the world.
@@ -163,30 +116,20 @@ class SoftPlay {
   void restore(const Snapshot& snapshot);
 
  private:
-  struct Player;
-  struct Push;
   struct Present;
   struct Cluster;
 
-  glm::dvec2 centreOf(const Player& player) const;
   void wakeAll(double end);
-  bool mustWake(const Player& player, double end) const;
-  bool meetsAnother(const Player& player) const;
-  void wake(Player& player);
-  void fallAsleep(Player& player, bool atOnce);
+  bool mustWake(const SoftPlayer& player, double end) const;
+  void fallAsleep(std::size_t body, bool atOnce);
   void restTheQuiet();
-  bool isPushedBefore(const Player& player, double end) const;
   std::vector<std::vector<std::size_t>> clusters() const;
   void play(const std::vector<std::size_t>& members, double end);
   double nextCut(const Cluster& cluster, double end) const;
   void setHolds(Cluster& cluster);
-  void setPushes(Cluster& cluster);
-  void begin(Push& push, double time);
+  void setPushes(const Cluster& cluster);
   void note(const Cluster& cluster);
-  void tellFarSides(const SoftCollision& collision);
   void book(const Cluster& cluster);
-  void freeze(Player& player, double time);
-  void endCollisions();
   void tell(std::size_t body) const;
 
   std::vector<SoftCushion> cushions_;
