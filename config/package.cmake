@@ -6,6 +6,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 # The program finds share/carom relative to its own place (app/files/config_folder.h).
 install(TARGETS carom COMPONENT program DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS carom_report COMPONENT program LIBRARY DESTINATION lib/carom)
 install(DIRECTORY config/ COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}/carom
   PATTERN build EXCLUDE PATTERN install-packages EXCLUDE PATTERN "packages*.txt" EXCLUDE PATTERN "*.cmake" EXCLUDE
   PATTERN "*.schema.json" EXCLUDE

@@ -11,7 +11,7 @@ fail() { echo "FAILED: $*"; status=1; }
 DESTDIR=$work cmake --install "$build" --component program --prefix /usr >"$work/log" || { cat "$work/log"; exit 1; }
 carom=$work/usr/bin/carom
 share=$work/usr/share/carom
-for file in bin/carom share/carom/rig.schema.json share/carom/scenario.schema.json share/carom/playlist.schema.json share/carom/study.schema.json share/carom/items.schema.json share/carom/studies/items.toml share/carom/studies/analyse.R share/doc/carom/app/doc/keys-of-rigs.md share/carom/rigs/desk.toml share/carom/traces/walk.csv \
+for file in bin/carom lib/carom/libcarom_report.so share/carom/rig.schema.json share/carom/scenario.schema.json share/carom/playlist.schema.json share/carom/study.schema.json share/carom/items.schema.json share/carom/studies/items.toml share/carom/studies/analyse.R share/doc/carom/app/doc/keys-of-rigs.md share/carom/rigs/desk.toml share/carom/traces/walk.csv \
   lib/udev/rules.d/70-carom.rules lib/systemd/user/carom.service lib/systemd/user/carom-room.service share/applications/carom.desktop share/man/man1/carom.1.gz share/doc/carom/copyright share/doc/carom/README.md \
   share/carom/models/train.obj share/carom/walls/xinitrc share/carom/walls/carom-walls@.service; do
   [ -s "$work/usr/$file" ] || fail "$file is not installed"
@@ -31,6 +31,7 @@ for name in three-pucks desk; do
   grep -q "^Of the prefix: " <<<"$said" || fail "check $name read another file: $said"
 done
 grep -qF "$share/rigs/play.toml" <<<"$("$carom" cave --help)" || fail "the usual rig is not the installed one"
+said=$("$carom" diagram three-pucks -o chart.svg 2>&1) && [ -s chart.svg ] || fail "the installed program draws no chart: $said"
 mv "$share/traces/walk.csv" "$share/traces/moveUnseen.csv"
 ! said=$("$carom" check desk 2>&1) || fail "the rig's trace came from elsewhere: $said"
 grep -qF "expected one beside this file or in $share" <<<"$said" || fail "of the missing trace it said: $said"
