@@ -90,12 +90,16 @@ void addSimultaneity(const MarkContext& sight, const SimultaneityLine& line, Lab
   }
 }
 
+/// Returns where the eye sees the top of a body, `top_m` above its centre.
+Vec3 topSeen_m(const MarkContext& sight, std::size_t body, double top_m) {
+  const Event& between = sight.observer.middle.observation;
+  return centreSeen(sight.histories[body], between, sight.switches).event.r_m + Vec3(0.0, 0.0, top_m);
+}
+
 void addCounter(const MarkContext& sight, const Resting& draw, const TickCounter& counter, double top_m,
                 LabelLayout& crowd, MarkBuffer& batch) {
-  const Event& between = sight.observer.middle.observation;
-  const Vec3 centre_m = centreSeen(sight.histories[counter.body], between, sight.switches).event.r_m;
   addStandingPlate(batch, sight, draw, wholeNumber(seenTicks(sight, counter)), PlateShape::box,
-                   centre_m + Vec3(0.0, 0.0, top_m), glm::vec4(kFlashColour, 1.0F), crowd);
+                   topSeen_m(sight, counter.body, top_m), glm::vec4(kFlashColour, 1.0F), crowd);
 }
 
 /// Adds an arrow that comes from above on the right, in the plane that faces the person, and ends at `tip_m`.
@@ -113,24 +117,20 @@ void addArrow(const MarkContext& sight, const Resting& draw, const Vec3& tip_m, 
     const glm::vec4 colour(border_m > 0.0 ? glm::vec3(0.02F) : kFlashColour, 1.0F);
     const double tip = -2.0 * border_m, shoulder = kHead_m + border_m, end = kLength_m + border_m;
     const double head = kHalfHead_m + 2.0 * border_m, shaft = kHalfShaft_m + border_m;
-    const std::array<glm::dvec3, 4> left{at(tip, 0.0), at(shoulder, -head), at(shoulder, -shaft),
-                                         at(end, -shaft)};
-    const std::array<glm::dvec3, 4> rightSide{at(tip, 0.0), at(shoulder, head), at(shoulder, shaft),
-                                              at(end, shaft)};
-    batch.addStrip(left, rightSide, colour);
+    const auto side = [&](double way) {
+      return std::array{at(tip, 0.0), at(shoulder, way * head), at(shoulder, way * shaft),
+                        at(end, way * shaft)};
+    };
+    batch.addStrip(side(-1.0), side(1.0), colour);
   }
 }
 
+/// Adds an arrow that ends a little above its body or its place.
 void addArrow(const MarkContext& sight, const Resting& draw, const LessonArrow& arrow,
               std::span<const double> tops_m, MarkBuffer& batch) {
   constexpr double kAbove_m = 0.015;
-  Vec3 tip_m = arrow.at_m;
-  if (arrow.body) {
-    const Event& between = sight.observer.middle.observation;
-    tip_m = centreSeen(sight.histories[*arrow.body], between, sight.switches).event.r_m;
-    tip_m.z += tops_m[*arrow.body];
-  }
-  addArrow(sight, draw, tip_m + Vec3(0.0, 0.0, kAbove_m), batch);
+  const Vec3 at_m = arrow.body ? topSeen_m(sight, *arrow.body, tops_m[*arrow.body]) : arrow.at_m;
+  addArrow(sight, draw, at_m + Vec3(0.0, 0.0, kAbove_m), batch);
 }
 
 /// Adds a plate above a body with a quantity of it; none if it is less than `least`.
