@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "app/files/toml_file.h"
-#include "cave/mesh/vtk_messages.h"
-#include "engine/base/log.h"
+#include "app/toml/toml_file.h"
+#include "cave/mesh_input/vtk_messages.h"
+#include "engine/text/log.h"
 #include "options.h"
 
 namespace {

@@ -4,9 +4,8 @@ include(GNUInstallDirs)
 # Installing builds nothing: it takes the files that are there, which need not include the tests.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
-# The program finds share/carom relative to its own place (app/files/config_folder.h).
+# The program finds share/carom relative to its own place (app/toml/config_folder.h).
 install(TARGETS carom COMPONENT program DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS carom_report COMPONENT program LIBRARY DESTINATION lib/carom)
 install(DIRECTORY config/ COMPONENT program DESTINATION ${CMAKE_INSTALL_DATADIR}/carom
   PATTERN build EXCLUDE PATTERN install-packages EXCLUDE PATTERN "packages*.txt" EXCLUDE PATTERN "*.cmake" EXCLUDE
   PATTERN "*.schema.json" EXCLUDE

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom::test {
 

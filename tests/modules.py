@@ -14,7 +14,7 @@ def modules_used(root):
     """Returns the modules that each module uses, by the lists, and those lists' errors."""
     uses, errors = {}, []
     for listing in sorted(file for top in TOPS for file in (root / top).rglob("CMakeLists.txt")):
-        for module, rest in re.findall(r"(?m)^carom_room\((\S+)([^)]*)\)", listing.read_text()):
+        for module, rest in re.findall(r"(?m)^carom_module\((\S+)([^)]*)\)", listing.read_text()):
             named = re.search(r"\bUSES\s+(.*?)(?=\s+[A-Z_]{4,}\b|\s*$)", rest, re.DOTALL)
             uses[module] = set(named.group(1).split()) if named else set()
             errors += [f"{module} uses {other}, which is no folder" for other in uses[module] if not (root / other).is_dir()]

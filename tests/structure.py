@@ -1,9 +1,9 @@
 """structure.py ROOT: checks that no header includes itself through others, that the dependencies between
-rooms (the folders with a carom_room in their CMakeLists.txt) have no circle, that a room includes only
-from rooms that it uses, that no type is defined twice, that no class has more than 15 members
-or 12 private functions but those named here with a reason, that app/doc/figures/modules.svg shows these rooms, that no folder holds more than 28 modules or files of tests,
-and that every source file has the
-format of .clang-format. Prints a line for each folder and one for each of the rules."""
+modules (the folders with a carom_module in their CMakeLists.txt) have no circle, that a module includes only
+from modules that it uses, that no type is defined twice, that no class has more than 15 members
+or 12 private functions but those named here with a reason, that app/doc/figures/modules.svg shows these modules, that none holds more than 14 pairs of a header and a source, 25
+includes between them or 28 files of tests, that 70 % of the pairs of more than 100 lines have a test file of
+their name, and that every source file has the format of .clang-format. Prints a line for each folder and one for each of the rules."""
 
 import pathlib
 import re
@@ -13,8 +13,9 @@ import sys
 
 import modules
 
-MOST_MODULES = 28
+MOST_PAIRS, MOST_TESTS, MOST_ARROWS = 14, 28, 25
 MOST_MEMBERS, MOST_PRIVATE = 15, 12
+LONG, LEAST_TESTED = 100, 0.7  # lines of a header and its source; the share of those that long with a test of their name
 # The classes that are larger, and why.
 LARGE = {
     "BodyDrawer": "buffers, programs and uniforms of one pass of drawing",
@@ -23,9 +24,9 @@ LARGE = {
     "LinkedPlay": "both sides of one protocol",
     "StudyRun": "a function for each step of a participant",
 }
-ROOMS = ["app", "cave", "devices", "engine"]
+TOPS = ["app", "cave", "devices", "engine"]
 root = pathlib.Path(sys.argv[1])
-files = [file for room in ROOMS for file in (root / room).rglob("*") if file.suffix in (".h", ".cpp", ".glsl")]
+files = [file for top in TOPS for file in (root / top).rglob("*") if file.suffix in (".h", ".cpp", ".glsl")]
 failed = False
 
 
@@ -54,8 +55,8 @@ def circles(arrows):
     return found
 
 
-def module(path):
-    """Returns the module of a file: a .h, its .cpp and its .glsl are one module."""
+def pair(path):
+    """Returns the name of a file without its ending: a .h, its .cpp and its .glsl are a pair."""
     return str(path).rsplit(".", 1)[0]
 
 
@@ -63,13 +64,13 @@ uses, errors = modules.modules_used(root)
 for error in errors:
     fail(error)
 
-# The modules that each module includes.
+# The pairs that each pair includes.
 includes = {}
 for file in files:
-    own = module(file.relative_to(root))
+    own = pair(file.relative_to(root))
     for found in re.findall(r'(?m)^#include "((?:app|cave|devices|engine)/[^"]+)"', file.read_text()):
-        if module(found) != own:
-            includes.setdefault(own, set()).add(module(found))
+        if pair(found) != own:
+            includes.setdefault(own, set()).add(pair(found))
 
 found = circles(includes)
 for circle in found:
@@ -78,15 +79,15 @@ print(f"include circles {len(found)}")
 
 found = circles(uses)
 for circle in found:
-    fail("these rooms use each other in a circle:", " -> ".join(circle))
-print(f"room circles {len(found)}")
+    fail("these modules use each other in a circle:", " -> ".join(circle))
+print(f"module circles {len(found)}")
 if not found and (root / "app/doc/figures/modules.svg").read_text() != modules.figure(uses):
     fail("app/doc/figures/modules.svg shows other modules than the lists: python3 tests/modules.py .")
 
 
-def below(room, seen):
-    """Returns the rooms that a room uses, directly or through others."""
-    for other in uses.get(room, ()):
+def below(module, seen):
+    """Returns the modules that a module uses, directly or through others."""
+    for other in uses.get(module, ()):
         if other not in seen:
             seen.add(other)
             below(other, seen)
@@ -95,15 +96,15 @@ def below(room, seen):
 
 forbidden = 0
 for own in sorted(includes):
-    room = str(pathlib.PurePath(own).parent)
-    if room not in uses:  # the program itself, in app/, may use any room
+    module = str(pathlib.PurePath(own).parent)
+    if module not in uses:  # the program itself, in app/, may use any module
         continue
     for other in sorted(includes[own]):
         folder = str(pathlib.PurePath(other).parent)
-        if folder not in {room} | below(room, set()) and not folder.startswith(room + "/"):  # lists of a room
+        if folder not in {module} | below(module, set()) and not folder.startswith(module + "/"):  # lists of a module
             forbidden += 1
-            fail(f"{own} includes {other}, but {room} does not use its folder")
-print(f"includes of rooms that are not used {forbidden}")
+            fail(f"{own} includes {other}, but {module} does not use its folder")
+print(f"includes of modules that are not used {forbidden}")
 
 # Two types of one name in one namespace are ill-formed as soon as one source sees both headers.
 defined = {}
@@ -182,20 +183,32 @@ for file in files:
     if file.suffix in (".h", ".cpp"):
         files_of.setdefault(str(file.parent.relative_to(root)), set()).add(file.stem)
 for folder in sorted(files_of, key=lambda folder: (-len(files_of[folder]), folder)):
-    print(f"{len(files_of[folder]):3} modules in {folder}")
-    if len(files_of[folder]) > MOST_MODULES:
-        fail(f"{folder} holds {len(files_of[folder])} modules, expected {MOST_MODULES} at most")
+    print(f"{len(files_of[folder]):3} pairs in {folder}")
+    inside = sum(str(pathlib.PurePath(other).parent) == folder for stem in files_of[folder] for other in includes.get(f"{folder}/{stem}", ()))
+    if len(files_of[folder]) > MOST_PAIRS or inside > MOST_ARROWS:
+        fail(f"{folder} holds {len(files_of[folder])} pairs that include each other {inside} times, expected {MOST_PAIRS} and {MOST_ARROWS} at most")
 
 # The tests of a module lie in the folder of its name.
 tested = {}
 for file in (root / "tests").rglob("*_test.cpp"):
     tested.setdefault(str(file.parent.relative_to(root / "tests")), set()).add(file.stem.removesuffix("_test"))
-for folder in [*uses, *ROOMS]:
+for folder in [*uses, *TOPS]:
     count = sum(file.is_file() for file in (root / "tests" / folder).glob("*"))
-    if count > MOST_MODULES:
-        fail(f"tests/{folder} holds {count} files, expected {MOST_MODULES} at most")
+    if count > MOST_TESTS:
+        fail(f"tests/{folder} holds {count} files, expected {MOST_TESTS} at most")
 namesakes = sum(len(names & tested.get(folder, set())) for folder, names in files_of.items())
-print(f"files {sum(map(len, files_of.values()))}, with a test file of their name {namesakes}")
+print(f"pairs {sum(map(len, files_of.values()))}, with a test file of their name {namesakes}")
+lines_of = {}
+for file in files:
+    if file.suffix in (".h", ".cpp"):
+        lines_of[pair(file.relative_to(root))] = lines_of.get(pair(file.relative_to(root)), 0) + file.read_text().count("\n")
+long = [pathlib.PurePath(name) for name, lines in lines_of.items() if lines > LONG]
+untested = [name for name in long if name.name not in tested.get(str(name.parent), set())]
+share = 1 - len(untested) / len(long)
+print(f"pairs of more than {LONG} lines {len(long)}, with a test file of their name {100 * share:.1f} %")
+if share < LEAST_TESTED:
+    fail(f"{100 * share:.1f} % of the pairs of more than {LONG} lines have a test file of their name, expected {100 * LEAST_TESTED:.0f} % at least: "
+         + ", ".join(map(str, sorted(untested))))
 
 formatter = shutil.which("clang-format-14") or shutil.which("clang-format")
 version = subprocess.run([formatter, "--version"], capture_output=True, text=True).stdout if formatter else ""
@@ -204,5 +217,5 @@ if "version 14." not in version:  # others format some lines otherwise
     print("clang-format 14 is not here: the format is not checked")
 elif subprocess.run([formatter, "--dry-run", "-Werror", *map(str, sources)]).returncode != 0:
     fail("these files are not in the format of .clang-format: clang-format -i FILE")
-print(f"{len(includes)} modules that include others, {len(sources)} files")
+print(f"{len(includes)} pairs that include others, {len(sources)} files")
 sys.exit(1 if failed else 0)

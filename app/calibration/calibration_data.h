@@ -8,7 +8,7 @@
 
 #include "app/calibration/corner_names.h"
 #include "app/calibration/tip_fit.h"
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "devices/calibration/rests.h"
 
 namespace carom {

@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 
 namespace carom {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "devices/tracker/tracker.h"
 
 namespace carom {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/calibration/calibration_data.h"
-#include "app/files/input_file.h"
+#include "app/toml/input_file.h"
 #include "devices/tracker/trace.h"
 
 namespace carom {

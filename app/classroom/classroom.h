@@ -15,7 +15,7 @@
 #include "app/classroom/class_flow.h"
 #include "app/classroom/phone_message.h"
 #include "app/classroom/pin_gate.h"
-#include "app/journal/journal_news.h"
+#include "app/journal_rows/journal_news.h"
 
 namespace carom {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/base/plain_words.h"
+#include "engine/text/plain_words.h"
 
 namespace carom {
 namespace {

@@ -8,14 +8,14 @@
 #include <set>
 #include <stdexcept>
 
-#include "app/files/config_folder.h"
-#include "app/files/rig_viewers.h"
 #include "app/journal/linked_game_file.h"
 #include "app/operator/visitor_choices.h"
-#include "engine/base/log.h"
-#include "engine/base/outside_file.h"
+#include "app/rig/rig_viewers.h"
+#include "app/toml/config_folder.h"
 #include "engine/base/xxh3.h"
 #include "engine/linked/seats.h"
+#include "engine/text/log.h"
+#include "engine/text/outside_file.h"
 
 namespace carom {
 namespace {

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "app/commands/cave_options.h"
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
-#include "app/journal/journal_news.h"
+#include "app/journal_rows/journal_news.h"
 #include "app/link/link_address.h"
 #include "app/link/link_line.h"
 #include "app/link/linked_play.h"
-#include "app/session/linked_room.h"
-#include "app/session/live_source.h"
+#include "app/live/linked_room.h"
+#include "app/live/live_source.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "app/stage/handover.h"
 #include "app/stage/session_setup.h"
 

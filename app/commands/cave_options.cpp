@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "app/commands/session_options.h"
-#include "app/files/config_folder.h"
 #include "app/link/link_address.h"
 #include "app/operator/visitor_choices.h"
+#include "app/toml/config_folder.h"
 #include "app/tools/option_values.h"
 
 namespace carom {

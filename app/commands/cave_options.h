@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/file_keys/session_languages.h"
-#include "app/files/playlist.h"
+#include "app/scenario/playlist.h"
 #include "app/stage/desk_windows.h"
 #include "app/stage/recording.h"
 #include "cave/record/lesson_words.h"

@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "app/classroom/class_address.h"
-#include "app/files/starting_histories.h"
+#include "app/class_server/class_address.h"
 #include "app/journal/session_file.h"
 #include "app/page/page_file.h"
-#include "engine/base/log.h"
+#include "app/scenario/starting_histories.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-#include "app/classroom/class_desk.h"
+#include "app/class_server/class_desk.h"
 #include "app/commands/cave_options.h"
 #include "app/page/live_game.h"
 #include "app/session/frame_listener.h"

@@ -12,27 +12,27 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/classroom/class_address.h"
-#include "app/classroom/class_desk.h"
-#include "app/classroom/study_desk.h"
+#include "app/class_server/class_address.h"
+#include "app/class_server/class_desk.h"
+#include "app/class_server/study_desk.h"
 #include "app/commands/cave_link.h"
 #include "app/commands/cave_phones.h"
 #include "app/commands/session_frames.h"
-#include "app/files/config_folder.h"
-#include "app/files/rig_viewers.h"
 #include "app/journal/session_file.h"
 #include "app/journal/session_series.h"
+#include "app/live/live_source.h"
 #include "app/operator/lesson.h"
 #include "app/operator/room_languages.h"
 #include "app/operator/visitor_choices.h"
+#include "app/rig/rig_viewers.h"
 #include "app/session/game_settings.h"
-#include "app/session/live_source.h"
 #include "app/session/study_listener.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "app/study/slips.h"
+#include "app/toml/config_folder.h"
 #include "devices/setup/tracker_factory.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

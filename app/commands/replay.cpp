@@ -11,14 +11,14 @@
 
 #include "app/commands/session_frames.h"
 #include "app/commands/session_options.h"
+#include "app/replay/recorded_source.h"
+#include "app/replay/replay_visitor_source.h"
+#include "app/replay/soft_replay_source.h"
 #include "app/session/game_settings.h"
-#include "app/session/recorded_source.h"
-#include "app/session/replay_visitor_source.h"
-#include "app/session/soft_replay_source.h"
 #include "app/stage/all_ranks.h"
 #include "app/tools/option_values.h"
 #include "devices/tracker/trace.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

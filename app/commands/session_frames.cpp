@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/files/rig_viewers.h"
+#include "app/rig/rig_viewers.h"
 #include "app/stage/all_ranks.h"
 
 namespace carom {

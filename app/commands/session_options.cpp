@@ -6,7 +6,7 @@
 
 #include "app/file_keys/rig_keys.h"
 #include "cave/capture/movie.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 

@@ -9,11 +9,11 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "app/console/console_class.h"
-#include "app/console/console_lesson.h"
-#include "app/console/console_link.h"
-#include "app/files/rig_viewers.h"
+#include "app/console_parts/console_class.h"
+#include "app/console_parts/console_lesson.h"
+#include "app/console_parts/console_link.h"
 #include "app/operator/visitor_choices.h"
+#include "app/rig/rig_viewers.h"
 #include "cave/texts/format.h"
 #include "cave/texts/key_names.h"
 #include "cave/texts/language.h"

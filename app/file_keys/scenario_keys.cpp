@@ -6,8 +6,8 @@
 #include "app/file_keys/lesson_keys.h"
 #include "app/file_keys/task_keys.h"
 #include "cave/frame/hall.h"
-#include "engine/billiard/billiard_setup.h"
-#include "engine/collision/outline.h"
+#include "engine/game/billiard_setup.h"
+#include "engine/polygons/outline.h"
 #include "engine/soft/soft_body.h"
 #include "engine/soft/soft_mesh.h"
 #include "engine/spacetime/observer.h"
@@ -127,7 +127,7 @@ FileKey puck() {
        number("inertia", kInertia,
               "share of the mass in the rim, at least 1e-6: a slowly spinning puck has the moment of inertia "
               "inertia · "
-              "mass · radius²",
+              "mass · radius²; of a puck with corners that of an even plate, where it is left out",
               Puck{}.inertia),
        number("spin_rad_s", {},
               "by its own clock, anticlockwise from above; its angle is 0 at t = 0; times the radius below "

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cave/texts/texts.h"
-#include "devices/force/cue_force.h"
+#include "devices/force_law/cue_force.h"
 #include "engine/base/limits.h"
 
 namespace carom {

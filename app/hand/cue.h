@@ -8,7 +8,7 @@
 
 #include "app/hand/hand_input.h"
 #include "app/hand/ray_picking.h"
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
@@ -28,10 +28,11 @@ struct CueStroke {
 Vec3 wayInRoom(const Vec3& wayOnBoard, const Lorentz& boardFromRoom);
 
 /// Returns the stroke for a pull; its direction is opposite to the pull, along the cloth. With `d0_m`, the
-/// pull is a draw against a force, of one unit of rapidity for each d0 (devices/force/cue_force.h); without
-/// it, the momentum is in proportion to the pull. The direction is transformed from room to board by the
-/// rotation of `boardFromRoom` alone, without its boost: the hand gives a momentum on the board, and a viewer
-/// on a platform that is not rotated who points along the table means along the table at any platform speed.
+/// pull is a draw against a force, of one unit of rapidity for each d0 (devices/force_law/cue_force.h);
+/// without it, the momentum is in proportion to the pull. The direction is transformed from room to board by
+/// the rotation of `boardFromRoom` alone, without its boost: the hand gives a momentum on the board, and a
+/// viewer on a platform that is not rotated who points along the table means along the table at any platform
+/// speed.
 CueStroke strokeOf(const Vec3& pullInRoom_m, const Lorentz& boardFromRoom, double d0_m = 0.0);
 
 /// The widest side spin of a hand, and what counts as the centre, as shares of the puck's radius.

@@ -1,5 +1,5 @@
 #pragma once
-// The laws that a hand's force device gets in a game (devices/force/force_law.h), in the device's axes.
+// The laws that a hand's force device gets in a game (devices/force_law/force_law.h), in the device's axes.
 
 #include <glm/vec3.hpp>
 

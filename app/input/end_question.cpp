@@ -5,7 +5,7 @@
 
 #include "cave/gl/gui.h"
 #include "cave/texts/texts.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 

@@ -13,7 +13,7 @@
 #include "cave/texts/language.h"
 #include "cave/texts/texts.h"
 #include "engine/base/limits.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

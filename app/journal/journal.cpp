@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/journal/journal_tables.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

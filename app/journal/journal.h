@@ -11,8 +11,8 @@
 //   frame(number, display_s, proper_time_s, t_s, x_m, y_m, z_m, switches, views, beside, truncate_from_s, …,
 //         known, celerity_x_m_s …)
 //       One row per frame: each field of its record (cave/record/frame_state.h) in its own column
-//       (app/journal/frame_columns.h), and how the head was known. t_s … z_m: the event at which the point
-//       between the eyes received the frame's light. switches: the sum of the bits retardation 1,
+//       (app/journal_rows/frame_columns.h), and how the head was known. t_s … z_m: the event at which the
+//       point between the eyes received the frame's light. switches: the sum of the bits retardation 1,
 //       contraction 2, aberration 4, colour 8, searchlight 16; beside: the same for the right half if views
 //       includes split. views: the sum of the bits now on the board 1, my now 2, paths 4, events 8,
 //       clocks 16, split 32, frozen 64, ruler 128, angles 256.
@@ -22,7 +22,7 @@
 //       angle_rad …: how the body turns (engine/spacetime/world_line.h).
 //       Bodies are numbered as in the scenario: 0 the board, then the pucks, then the scripted bodies.
 //   frame_event(frame, number, kind, cushion, which, t_s, x_m, y_m, z_m, without_delay, heat_j, turns, …)
-//       Events that a frame added to the game's list (engine/billiard/game_event.h), each with its turns,
+//       Events that a frame added to the game's list (engine/game/game_event.h), each with its turns,
 //       whose number is `turns`. kind is the value of EventKind, cushion that of Cushion plus 1; 0 is none.
 //       Events that a later stroke invalidated stay here, because they were shown.
 //   event(number, kind, pucks, cushion, t_s, x_m, y_m, z_m, heat_j, without_delay, side_on_side)
@@ -30,7 +30,7 @@
 //       simulation found the events; a game's first one has the number first_event. kind: puck-puck,
 //       puck-cushion, stroke, flash, jam. pucks: names, separated by commas. t_s … z_m: the contact, the
 //       hand's stroke, the flash. without_delay: 1 if the contact existed already and the kick did not wait
-//       for its signal (engine/billiard/game_event.h), else 0. side_on_side: 1 if a side of a puck lay on a
+//       for its signal (engine/game/game_event.h), else 0. side_on_side: 1 if a side of a puck lay on a
 //       side of the other or on a cushion, and the contact is the middle of what touched, else 0. The game is
 //       known a little further than it was seen.
 //   turn(event, puck, t_s, x_m, y_m, z_m, beta_before_x, beta_before_y, beta_after_x, beta_after_y,
@@ -46,7 +46,7 @@
 //       The room's own time, its u = γβ on the board after a rotation from its axes to the board's, and its
 //       mean thrust in the frame, felt by the one who steers, in the room's axes.
 //   other_viewer(frame, viewer, proper_time_s, …)
-//       The record's part of the viewers after the first (app/journal/frame_columns.h).
+//       The record's part of the viewers after the first (app/journal_rows/frame_columns.h).
 //   force(frame, viewer, scale, place_x_m, …, force_n_x, …)
 //       One row per frame and viewer with a force device: its place as its loop took it and the force on the
 //       hand, in the room's axes; scale: 1 N in the hand is 1/scale N at the cue. Draws, pulses and falls to
@@ -104,8 +104,8 @@
 #include <string>
 #include <vector>
 
-#include "app/journal/journal_news.h"
 #include "app/journal/session_facts.h"
+#include "app/journal_rows/journal_news.h"
 #include "cave/frame/frame_timing.h"
 #include "cave/record/frame_state.h"
 #include "devices/filter/head_filter.h"

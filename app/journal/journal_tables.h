@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "app/journal/force_rows.h"
-#include "app/journal/frame_rows.h"
-#include "app/journal/headset_rows.h"
-#include "app/journal/journal_news.h"
-#include "app/journal/link_batch.h"
 #include "app/journal/session_facts.h"
-#include "app/journal/viewer_rows.h"
+#include "app/journal_rows/force_rows.h"
+#include "app/journal_rows/frame_rows.h"
+#include "app/journal_rows/headset_rows.h"
+#include "app/journal_rows/journal_news.h"
+#include "app/journal_rows/link_batch.h"
+#include "app/journal_rows/viewer_rows.h"
 #include "cave/frame/frame_timing.h"
 #include "cave/record/frame_state.h"
 #include "devices/filter/head_filter.h"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "app/journal/session_games.h"
-#include "engine/base/printable.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {

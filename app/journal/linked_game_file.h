@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "app/journal/journal_news.h"
+#include "app/journal_rows/journal_news.h"
 #include "engine/spacetime/event.h"
 
 namespace carom {

@@ -10,13 +10,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/files/input_file.h"
-#include "app/journal/frame_rows.h"
 #include "app/journal/language_keys.h"
+#include "app/journal_rows/frame_rows.h"
+#include "app/toml/input_file.h"
 #include "engine/base/limits.h"
-#include "engine/base/log.h"
-#include "engine/base/outside_file.h"
-#include "engine/base/printable.h"
+#include "engine/text/log.h"
+#include "engine/text/outside_file.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/files/scenario.h"
 #include "app/journal/journal.h"
 #include "app/journal/session_games.h"
+#include "app/scenario/scenario.h"
 #include "cave/record/frame_state.h"
 #include "engine/billiard/billiard.h"
 

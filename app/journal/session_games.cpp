@@ -6,7 +6,7 @@
 
 #include <ctime>
 
-#include "engine/base/printable.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {

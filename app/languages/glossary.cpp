@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "app/files/findings.h"
 #include "app/languages/letters.h"
-#include "engine/base/code_points.h"
+#include "app/toml/findings.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/input_file.h"
+#include "app/toml/input_file.h"
 
 namespace carom {
 

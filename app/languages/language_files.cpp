@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <unordered_set>
 
-#include "app/files/config_folder.h"
 #include "app/languages/scenario_texts.h"
-#include "engine/base/code_points.h"
-#include "engine/base/printable.h"
+#include "app/toml/config_folder.h"
+#include "engine/text/code_points.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/base/code_points.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

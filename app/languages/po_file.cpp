@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/files/findings.h"
-#include "engine/base/code_points.h"
+#include "app/toml/findings.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "app/file_keys/scenario_keys.h"
-#include "app/files/config_folder.h"
-#include "app/files/toml_file.h"
 #include "app/languages/letters.h"
+#include "app/toml/config_folder.h"
+#include "app/toml/toml_file.h"
 #include "cave/texts/numbered_name.h"
-#include "engine/base/code_points.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "app/languages/letters.h"
-#include "engine/base/code_points.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

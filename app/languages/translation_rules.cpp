@@ -9,7 +9,7 @@
 
 #include "app/languages/letters.h"
 #include "app/languages/text_values.h"
-#include "engine/base/code_points.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/findings.h"
 #include "app/languages/glossary.h"
 #include "app/languages/po_file.h"
 #include "app/languages/source_text.h"
+#include "app/toml/findings.h"
 
 namespace carom {
 

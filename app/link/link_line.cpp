@@ -18,7 +18,7 @@
 #include "app/link/line_connection.h"
 #include "app/link/link_socket.h"
 #include "app/link/tls_stream.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "devices/protocol/wire_reader.h"
-#include "engine/base/code_points.h"
+#include "devices/wire/wire_reader.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

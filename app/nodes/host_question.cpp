@@ -9,8 +9,8 @@
 #include <optional>
 #include <string_view>
 
-#include "app/files/input_file.h"
 #include "app/nodes/timed_command.h"
+#include "app/toml/input_file.h"
 
 namespace carom {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 
 namespace carom {
 

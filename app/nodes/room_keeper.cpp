@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 
@@ -40,6 +40,7 @@ int RoomKeeper::keep() {
         return run.status;
       case RoomRun::End::refused:
         if (!hasPlayed_) return run.status;
+        log::warn(kNoFirstFrame);
         break;
       case RoomRun::End::cutOff:
       case RoomRun::End::broughtBack:

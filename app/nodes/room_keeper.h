@@ -23,6 +23,9 @@ struct RoomPatience {
   double mostNoReturn_s = 900.0;
 };
 
+/// Said of a start that came to nothing, in a session that goes on.
+inline constexpr const char* kNoFirstFrame = "the nodes ended before their first frame.";
+
 /// One run of all nodes that take part.
 struct RoomRun {
   enum class End {

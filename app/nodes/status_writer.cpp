@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "engine/base/log.h"
-#include "engine/base/whole_file.h"
+#include "engine/text/log.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 namespace {

@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <string>
 
-#include "app/files/scenario.h"
 #include "app/operator/operator_settings.h"
+#include "app/scenario/scenario.h"
 #include "cave/record/lesson_words.h"
 
 namespace carom {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/file_keys/session_languages.h"
-#include "app/files/playlist.h"
+#include "app/scenario/playlist.h"
 #include "cave/record/frame_state.h"
 #include "cave/record/lesson_words.h"
 #include "cave/record/time_views.h"

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/file_keys/session_languages.h"
-#include "app/files/playlist.h"
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
+#include "app/scenario/playlist.h"
 
 namespace carom {
 

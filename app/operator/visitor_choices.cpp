@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/files/config_folder.h"
+#include "app/toml/config_folder.h"
 #include "cave/texts/texts.h"
 
 namespace carom {

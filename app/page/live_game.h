@@ -20,7 +20,7 @@
 
 #include "app/page/visit.h"
 #include "cave/record/frame_state.h"
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/spacetime/world_line.h"
 
 namespace carom {

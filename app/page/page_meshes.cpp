@@ -4,8 +4,8 @@
 #include <map>
 #include <span>
 
+#include "cave/bodies/visible_chunks.h"
 #include "cave/mesh/mesh_chunks.h"
-#include "cave/render/visible_chunks.h"
 
 namespace carom {
 namespace {

@@ -1,12 +1,12 @@
 #pragma once
-// The shaders of a page: the texts of cave/render/shaders in the dialect of browsers (GLSL ES 3.00), for
+// The shaders of a page: the texts of cave/bodies/shaders in the dialect of browsers (GLSL ES 3.00), for
 // every variant that a page can ask for.
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "cave/render/body_program.h"
+#include "cave/bodies/body_program.h"
 
 namespace carom {
 

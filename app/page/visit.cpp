@@ -8,13 +8,13 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
+#include "app/scenario/starting_histories.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/frame/bodies.h"
 #include "cave/room/wall_eyes.h"
-#include "engine/base/log.h"
 #include "engine/spacetime/observers.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "cave/mesh/tessellation.h"
 #include "cave/record/frame_state.h"
 #include "engine/billiard/billiard.h"

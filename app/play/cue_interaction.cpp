@@ -10,8 +10,8 @@
 #include "cave/frame/bodies.h"
 #include "cave/scene/scene.h"
 #include "cave/texts/saying.h"
-#include "engine/base/log.h"
 #include "engine/light/light_path.h"
+#include "engine/text/log.h"
 
 namespace carom {
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "app/files/scenario.h"
 #include "app/hand/cue.h"
 #include "app/hand/hand_input.h"
 #include "app/hand/ray_picking.h"
 #include "app/play/game.h"
+#include "app/scenario/scenario.h"
 #include "cave/record/frame_state.h"
 #include "engine/linked/own_room.h"
 

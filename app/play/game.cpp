@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "app/files/scenario_soft.h"
+#include "app/scenario/scenario_soft.h"
 #include "cave/frame/bodies.h"
-#include "engine/base/log.h"
 #include "engine/light/light_cone.h"
+#include "engine/text/log.h"
 
 namespace carom {
 double forgettableBefore_s(std::span<const WorldLine> bodies, const ObserverView& observer) {

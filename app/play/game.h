@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/scenario.h"
+#include "app/scenario/scenario.h"
 #include "cave/record/frame_state.h"
 #include "engine/billiard/billiard.h"
 

@@ -11,9 +11,9 @@
 #include "cave/frame/bodies.h"
 #include "cave/texts/saying.h"
 #include "cave/texts/texts.h"
-#include "devices/force/shown_mass.h"
+#include "devices/force_law/shown_mass.h"
 #include "devices/setup/force_factory.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

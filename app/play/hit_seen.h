@@ -8,7 +8,7 @@
 #include <span>
 
 #include "cave/record/frame_state.h"
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 
 namespace carom {
 

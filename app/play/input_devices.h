@@ -21,11 +21,11 @@
 #include <optional>
 #include <utility>
 
-#include "app/files/rig.h"
 #include "app/hand/hand_input.h"
 #include "app/input/desk_controls.h"
 #include "app/input/desk_input.h"
 #include "app/operator/command.h"
+#include "app/rig/rig.h"
 #include "app/viewer/hand_tracking.h"
 #include "app/viewer/platform_motion.h"
 #include "engine/spacetime/observer.h"

@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/files/rig.h"
 #include "app/input/desk_input.h"
+#include "app/rig/rig.h"
 #include "devices/tracker/tracker.h"
 
 namespace carom {

@@ -15,7 +15,7 @@
 #include "app/hand/hand_input.h"
 #include "app/hand/ray_picking.h"
 #include "cave/record/frame_state.h"
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/sculpture/sculpture_place.h"
 
 namespace carom {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "app/files/scenario.h"
 #include "app/play/carom_score.h"
-#include "engine/billiard/game_event.h"
+#include "app/scenario/scenario.h"
+#include "engine/game/game_event.h"
 #include "engine/spacetime/observer.h"
 
 namespace carom {

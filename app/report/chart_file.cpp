@@ -7,7 +7,7 @@
 #include "app/report/report_library.h"
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/texts/texts.h"
-#include "engine/base/whole_file.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 

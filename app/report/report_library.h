@@ -13,8 +13,8 @@ struct ReportLibrary {
   decltype(&carom::exportSculpture) exportSculpture;
 };
 
-/// Returns what the library offers, and loads it at the first call: from ../lib/carom, seen from the
-/// program's own folder. Throws std::runtime_error that names the file and its fault.
+/// Returns what the library offers, and loads it at the first call (cave/process/loaded_library.h). Throws
+/// std::runtime_error that names the file and its fault.
 const ReportLibrary& reportLibrary();
 
 }  // namespace carom

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/files/scenario.h"
 #include "app/report/chart_file.h"
 #include "app/report/soft_sides.h"
+#include "app/scenario/scenario.h"
 #include "cave/record/frame_state.h"
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/world_line.h"
 

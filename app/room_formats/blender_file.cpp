@@ -9,10 +9,10 @@
 #include <sstream>
 #include <string_view>
 
+#include "app/room_checks/foreign_room.h"
+#include "app/room_checks/room_check.h"
 #include "app/room_formats/blender_vrpn.h"
-#include "app/room_formats/room_parts.h"
-#include "app/room_import/foreign_room.h"
-#include "app/room_import/room_check.h"
+#include "app/room_parts/room_parts.h"
 
 namespace carom {
 namespace {

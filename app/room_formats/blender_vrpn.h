@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "app/room_formats/part.h"
-#include "app/room_import/room.h"
+#include "app/room_checks/room.h"
+#include "app/room_parts/part.h"
 
 namespace carom {
 

@@ -9,9 +9,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "app/files/input_file.h"
-#include "engine/base/outside_file.h"
-#include "engine/base/printable.h"
+#include "app/toml/input_file.h"
+#include "engine/text/outside_file.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {

@@ -11,19 +11,19 @@
 #include <utility>
 #include <vector>
 
+#include "app/room_checks/foreign_room.h"
 #include "app/room_formats/mpcdi_archive.h"
 #include "app/room_formats/mpcdi_frustum.h"
 #include "app/room_formats/mpcdi_picture.h"
-#include "app/room_formats/part.h"
-#include "app/room_formats/room_parts.h"
-#include "app/room_import/foreign_room.h"
 #include "app/room_import/xml_tree.h"
+#include "app/room_parts/part.h"
+#include "app/room_parts/room_parts.h"
 #include "cave/mesh_files/pfm_file.h"
 #include "cave/mesh_files/screen_file.h"
 #include "cave/mesh_files/vwf_file.h"
 #include "engine/base/limits.h"
-#include "engine/base/outside_file.h"
-#include "engine/base/printable.h"
+#include "engine/text/outside_file.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {

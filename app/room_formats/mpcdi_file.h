@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/room_import/room.h"
+#include "app/room_checks/room.h"
 
 namespace carom {
 

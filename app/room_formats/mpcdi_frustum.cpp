@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
-#include "app/room_import/foreign_room.h"
+#include "app/room_checks/foreign_room.h"
 #include "devices/setup/tracker_setup.h"
 #include "engine/base/pose.h"
-#include "engine/base/printable.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {
@@ -100,7 +100,12 @@ std::optional<ReadCorners> cornersByShare(const Part& region, const Part& buffer
   for (std::size_t i = 0; i < kNames.size(); ++i)
     share[i] = number(region, kNames[i], kShare, false, room).value_or(share[i]);
   const auto pixels = mpcdiPixels(buffer, room);
-  if (!pixels || !(share[2] > 0.0 && share[3] > 0.0)) return {};
+  if (!pixels) return {};
+  if (!(share[2] > 0.0 && share[3] > 0.0)) {
+    addError(room, region.at,
+             fmt::format("region '{}' has no size, expected shares above 0", printable(region.textOf("id"))));
+    return {};
+  }
   const double width_m = kMpcdiHeight_m * pixels->x / pixels->y;
   const auto corner = [&](double x, double y) {
     return glm::dvec3((x - 0.5) * width_m, kStandingEyes_m + (y - 0.5) * kMpcdiHeight_m, -kMpcdiAway_m);

@@ -5,8 +5,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "app/room_formats/part.h"
-#include "app/room_formats/room_parts.h"
+#include "app/room_parts/part.h"
+#include "app/room_parts/room_parts.h"
 
 namespace carom {
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <string_view>
 
+#include "app/room_checks/foreign_room.h"
 #include "app/room_formats/ndisplay_file.h"
 #include "app/room_formats/ndisplay_scene.h"
-#include "app/room_import/foreign_room.h"
 
 namespace carom {
 namespace {

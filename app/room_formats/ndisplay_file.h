@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "app/room_formats/part.h"
-#include "app/room_import/room.h"
+#include "app/room_checks/room.h"
+#include "app/room_parts/part.h"
 
 namespace carom {
 

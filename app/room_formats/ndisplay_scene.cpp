@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "app/room_import/foreign_room.h"
+#include "app/room_checks/foreign_room.h"
 
 namespace carom {
 namespace {

@@ -11,9 +11,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/files/input_file.h"
-#include "app/room_formats/room_parts.h"
-#include "app/room_import/room.h"
+#include "app/room_checks/room.h"
+#include "app/room_parts/room_parts.h"
+#include "app/toml/input_file.h"
 
 namespace carom {
 

@@ -7,21 +7,21 @@
 #include <optional>
 #include <string_view>
 
+#include "app/cave_formats/cover_file.h"
+#include "app/cave_formats/eqc_file.h"
+#include "app/cave_formats/eqc_syntax.h"
+#include "app/cave_formats/hevs_file.h"
+#include "app/cave_formats/jconf_file.h"
 #include "app/room_formats/blender_file.h"
-#include "app/room_formats/cover_file.h"
-#include "app/room_formats/eqc_file.h"
-#include "app/room_formats/eqc_syntax.h"
-#include "app/room_formats/hevs_file.h"
-#include "app/room_formats/jconf_file.h"
 #include "app/room_formats/mpcdi_file.h"
 #include "app/room_formats/ndisplay_file.h"
-#include "app/room_formats/part.h"
-#include "app/room_formats/room_parts.h"
 #include "app/room_formats/sgct_nodes.h"
 #include "app/room_formats/sgct_trackers.h"
 #include "app/room_formats/sgct_xml.h"
 #include "app/room_import/pvx_file.h"
 #include "app/room_import/sgct_file.h"
+#include "app/room_parts/part.h"
+#include "app/room_parts/room_parts.h"
 
 namespace carom {
 namespace {

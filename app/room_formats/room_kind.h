@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/room_import/room.h"
+#include "app/room_checks/room.h"
 
 namespace carom {
 

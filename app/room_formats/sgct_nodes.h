@@ -1,8 +1,8 @@
 #pragma once
 // The computers of an SGCT room, in JSON or XML.
 
+#include "app/room_checks/room.h"
 #include "app/room_import/json_tree.h"
-#include "app/room_import/room.h"
 
 namespace carom {
 

@@ -6,8 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-#include "app/room_formats/room_parts.h"
-#include "app/room_import/foreign_room.h"
+#include "app/room_checks/foreign_room.h"
+#include "app/room_parts/room_parts.h"
 
 namespace carom {
 namespace {

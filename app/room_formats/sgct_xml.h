@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "app/room_formats/part.h"
 #include "app/room_import/json_tree.h"
+#include "app/room_parts/part.h"
 
 namespace carom {
 

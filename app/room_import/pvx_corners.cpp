@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/room_import/foreign_room.h"
+#include "app/room_checks/foreign_room.h"
 #include "cave/room/rectangle.h"
 
 namespace carom {

@@ -1,7 +1,7 @@
 #pragma once
 // Reads the screens of the machines in a ParaView room file.
 
-#include "app/room_import/room.h"
+#include "app/room_checks/room.h"
 #include "app/room_import/xml_tree.h"
 
 namespace carom {

@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/room_import/foreign_room.h"
+#include "app/room_checks/foreign_room.h"
 #include "app/room_import/pvx_corners.h"
 #include "app/room_import/xml_tree.h"
 

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "app/room_checks/room.h"
 #include "app/room_import/json_tree.h"
-#include "app/room_import/room.h"
 
 namespace carom {
 

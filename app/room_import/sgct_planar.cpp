@@ -10,8 +10,8 @@
 #include <optional>
 #include <string_view>
 
+#include "app/room_checks/wall_shape.h"
 #include "app/room_import/sgct_values.h"
-#include "app/room_import/wall_shape.h"
 
 namespace carom {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // SGCT's planar projections: a flat screen given by angles from the origin instead of by its corners.
 
-#include "app/room_import/room.h"
+#include "app/room_checks/room.h"
 #include "app/room_import/sgct_reading.h"
 
 namespace carom {

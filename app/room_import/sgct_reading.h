@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/room_checks/room.h"
 #include "app/room_import/json_tree.h"
-#include "app/room_import/room.h"
 
 namespace carom {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <optional>
 
-#include "app/files/rig_screen.h"
+#include "app/rig/rig_screen.h"
 #include "app/room_import/sgct_values.h"
 
 namespace carom {

@@ -8,9 +8,9 @@
 #include <span>
 #include <string_view>
 
-#include "app/room_import/foreign_room.h"
+#include "app/room_checks/foreign_room.h"
+#include "app/room_checks/room.h"
 #include "app/room_import/json_tree.h"
-#include "app/room_import/room.h"
 
 namespace carom {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "app/room_import/room_check.h"
+#include "app/room_checks/room_check.h"
 #include "app/room_import/sgct_planar.h"
 #include "app/room_import/sgct_sky.h"
 #include "app/room_import/sgct_values.h"

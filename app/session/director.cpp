@@ -9,7 +9,7 @@
 #include "app/operator/lesson.h"
 #include "cave/texts/format.h"
 #include "cave/texts/texts.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 

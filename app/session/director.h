@@ -1,10 +1,10 @@
 #pragma once
 // The directors decide what each frame shows.
 
-#include "app/classroom/class_desk.h"
+#include "app/class_server/class_desk.h"
 #include "app/input/desk_controls.h"
 #include "app/input/keys.h"
-#include "app/session/frame_source.h"
+#include "app/live/frame_source.h"
 #include "app/session/programme.h"
 
 namespace carom {

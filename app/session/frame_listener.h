@@ -2,7 +2,7 @@
 // The interface of everything that is called after each displayed frame: journal, recording, sounds,
 // statistics, console.
 
-#include "app/session/decision.h"
+#include "app/live/decision.h"
 
 namespace carom {
 

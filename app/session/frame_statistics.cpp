@@ -1,6 +1,6 @@
 #include "app/session/frame_statistics.h"
 
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "app/session/game_settings.h"
 
-#include "app/files/config_folder.h"
 #include "app/operator/lesson.h"
 #include "app/operator/visitor_choices.h"
 #include "app/play/task_judge.h"
+#include "app/toml/config_folder.h"
 
 namespace carom {
 namespace {

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "app/files/playlist.h"
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
 #include "app/operator/operator_settings.h"
+#include "app/rig/rig.h"
+#include "app/scenario/playlist.h"
+#include "app/scenario/scenario.h"
 #include "app/session/programme.h"
 
 namespace carom {

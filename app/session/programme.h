@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/playlist.h"
 #include "app/operator/command.h"
+#include "app/scenario/playlist.h"
 #include "app/session/idle_watch.h"
 
 namespace carom {

@@ -4,7 +4,7 @@
 
 #include "app/hand/cue.h"
 #include "engine/base/limits.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

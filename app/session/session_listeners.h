@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/journal/journal.h"
+#include "app/live/frame_source.h"
 #include "app/session/frame_listener.h"
-#include "app/session/frame_source.h"
 #include "app/session/frame_statistics.h"
 #include "app/stage/recording.h"
 #include "cave/audio/sounds.h"

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/file_keys/session_languages.h"
-#include "app/files/rig_viewers.h"
-#include "engine/base/log.h"
-#include "engine/base/whole_file.h"
+#include "app/rig/rig_viewers.h"
+#include "engine/text/log.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 namespace {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/live/frame_source.h"
 #include "app/nodes/status_writer.h"
+#include "app/rig/rig.h"
 #include "app/session/frame_listener.h"
-#include "app/session/frame_source.h"
 #include "app/session/frame_statistics.h"
 #include "cave/cluster/cluster.h"
 #include "cave/process/termination.h"

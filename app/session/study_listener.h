@@ -2,7 +2,7 @@
 // Lets a study move the room: after each frame its commands go into the director's inbox, as the console's
 // do.
 
-#include "app/classroom/study_desk.h"
+#include "app/class_server/study_desk.h"
 #include "app/session/director.h"
 #include "app/session/frame_listener.h"
 

@@ -3,8 +3,8 @@
 #include <exception>
 #include <string>
 
-#include "app/files/input_file.h"
-#include "engine/base/log.h"
+#include "app/toml/input_file.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 
 #include "cave/display/window_layout.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

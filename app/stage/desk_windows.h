@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "app/stage/window_memory.h"
 #include "cave/display/monitors.h"
 #include "cave/room/wall.h"

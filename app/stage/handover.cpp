@@ -14,16 +14,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/files/toml_file.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
-#include "cave/mesh/mesh_buffers.h"
+#include "app/toml/toml_file.h"
+#include "cave/mesh_input/mesh_buffers.h"
 #include "cave/process/subprocess.h"
 #include "cave/process/termination.h"
 #include "cave/process/work_budget.h"
 #include "cave/projection/projector.h"
 #include "cave/screen/curved_screen.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

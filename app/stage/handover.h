@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "cave/cluster/cluster.h"
-#include "engine/base/outside_file.h"
+#include "engine/text/outside_file.h"
 
 namespace carom {
 

@@ -9,12 +9,12 @@
 #include <system_error>
 #include <utility>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "app/stage/all_ranks.h"
 #include "cave/capture/capture.h"
 #include "cave/capture/movie.h"
 #include "cave/spectator/spectator_view.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 

@@ -10,16 +10,16 @@
 #include <span>
 #include <stdexcept>
 
-#include "app/files/toml_file.h"
+#include "app/toml/toml_file.h"
 #include "cave/frame/bodies.h"
 #include "cave/frame/body_colour.h"
-#include "cave/mesh/mesh_file.h"
-#include "cave/mesh/mesh_size.h"
-#include "cave/mesh/polygons.h"
+#include "cave/mesh_input/mesh_file.h"
+#include "cave/mesh_input/mesh_size.h"
+#include "cave/mesh_input/polygons.h"
 #include "cave/outlines/footprint.h"
 #include "cave/scene/puck_model.h"
 #include "cave/scene/scene_builder.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 

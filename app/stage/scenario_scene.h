@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "cave/mesh/tessellation.h"
 #include "cave/record/frame_state.h"
 #include "cave/scene/scene.h"

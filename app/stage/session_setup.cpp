@@ -7,11 +7,11 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "app/files/rig_headset.h"
-#include "app/files/rig_viewers.h"
-#include "app/files/starting_histories.h"
-#include "app/files/traces.h"
 #include "app/nodes/rig_without.h"
+#include "app/rig/rig_headset.h"
+#include "app/rig/rig_viewers.h"
+#include "app/rig/traces.h"
+#include "app/scenario/starting_histories.h"
 #include "app/stage/all_ranks.h"
 #include "app/stage/scenario_scene.h"
 #include "app/stage/shared_languages.h"
@@ -22,7 +22,7 @@
 #include "cave/scene/table_model.h"
 #include "cave/texts/language_names.h"
 #include "devices/setup/tracker_factory.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

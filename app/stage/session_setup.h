@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/file_keys/session_languages.h"
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "app/stage/desk_windows.h"
 #include "app/stage/handover.h"
 #include "app/stage/recording.h"

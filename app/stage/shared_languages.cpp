@@ -9,7 +9,7 @@
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/gui.h"
 #include "cave/gl/letter_atlas.h"
-#include "engine/base/code_points.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "cave/screen/sky.h"
 
 namespace carom {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/files/toml_file.h"
-#include "engine/base/log.h"
-#include "engine/base/whole_file.h"
+#include "app/toml/toml_file.h"
+#include "engine/text/log.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 namespace {

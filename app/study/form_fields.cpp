@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "engine/base/printable.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {

@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "app/file_keys/study_keys.h"
-#include "app/files/toml_file.h"
+#include "app/toml/toml_file.h"
 
 namespace carom {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/findings.h"
+#include "app/toml/findings.h"
 
 namespace carom {
 

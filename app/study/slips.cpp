@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/files/findings.h"
-#include "app/files/input_file.h"
 #include "app/study/study_code.h"
+#include "app/toml/findings.h"
+#include "app/toml/input_file.h"
 
 namespace carom {
 

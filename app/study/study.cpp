@@ -11,11 +11,11 @@
 #include <system_error>
 
 #include "app/file_keys/study_keys.h"
-#include "app/files/config_folder.h"
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
-#include "app/files/toml_file.h"
-#include "engine/base/printable.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
+#include "app/toml/config_folder.h"
+#include "app/toml/toml_file.h"
+#include "engine/text/printable.h"
 
 namespace carom {
 namespace {

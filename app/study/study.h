@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/findings.h"
 #include "app/study/item_bank.h"
+#include "app/toml/findings.h"
 
 namespace carom {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/config_folder.h"
-#include "engine/base/log.h"
+#include "app/toml/config_folder.h"
+#include "engine/text/log.h"
 
 extern char** environ;
 

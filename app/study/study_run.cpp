@@ -9,8 +9,8 @@
 
 #include "app/journal/session_games.h"
 #include "app/study/study_code.h"
-#include "engine/base/log.h"
-#include "engine/base/plain_words.h"
+#include "engine/text/log.h"
+#include "engine/text/plain_words.h"
 
 namespace carom {
 namespace {

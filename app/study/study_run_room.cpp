@@ -7,7 +7,7 @@
 
 #include "app/study/study_code.h"
 #include "app/study/study_run.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 

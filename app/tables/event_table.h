@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/spacetime/simultaneity.h"
 
 namespace carom {

@@ -14,9 +14,9 @@
 #include "app/calibration/corner_fit.h"
 #include "app/calibration/eye_places.h"
 #include "app/calibration/rig_lines.h"
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "app/tools/option_values.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

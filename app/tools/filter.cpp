@@ -16,7 +16,7 @@
 #include "devices/filter/aberration_error.h"
 #include "devices/filter/head_filter.h"
 #include "devices/tracker/trace.h"
-#include "engine/base/whole_file.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 

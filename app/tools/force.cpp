@@ -12,19 +12,19 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/files/config_folder.h"
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
 #include "app/hand/hand_laws.h"
-#include "app/tables/csv_text.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
+#include "app/tables/csv_table.h"
+#include "app/toml/config_folder.h"
 #include "app/tools/live_display.h"
 #include "app/tools/option_values.h"
 #include "devices/force/force_loop.h"
 #include "devices/force/recorded_hand.h"
 #include "devices/force/simulated_force.h"
 #include "devices/setup/force_factory.h"
-#include "engine/base/log.h"
-#include "engine/base/whole_file.h"
+#include "engine/text/log.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 namespace {
@@ -74,28 +74,48 @@ Feeling feelingOf(const ForceOptions& options) {
   return feeling;
 }
 
+/// A tick of a run.
+struct Tick {
+  ForceReport report;
+  double stored_j = 0.0;
+  CueForce cue;
+};
+
+/// Returns the columns of the rows of a run; with those of a puck that is held, if it is.
+std::vector<CsvColumn<Tick>> columnsOf(bool holds) {
+  std::vector<CsvColumn<Tick>> columns{
+      {"time_s", [](const Tick& tick) { return tick.report.time_s; }},
+      {"x_m", [](const Tick& tick) { return tick.report.position_m.x; }},
+      {"y_m", [](const Tick& tick) { return tick.report.position_m.y; }},
+      {"z_m", [](const Tick& tick) { return tick.report.position_m.z; }},
+      {"force_x_n", [](const Tick& tick) { return tick.report.force_n.x; }},
+      {"force_y_n", [](const Tick& tick) { return tick.report.force_n.y; }},
+      {"force_z_n", [](const Tick& tick) { return tick.report.force_n.z; }},
+      {"scale", [](const Tick& tick) { return tick.cue.scale; }},
+      {"energy_j", [](const Tick& tick) { return tick.report.energy_j; }},
+      {"stored_j", [](const Tick& tick) { return tick.stored_j; }},
+      {"stroke_beta", [](const Tick& tick) { return tick.cue.beta(glm::length(tick.report.draw_m)); }}};
+  if (!holds) return columns;
+  columns.push_back({"proxy_beta", [](const Tick& tick) { return tick.report.proxyBeta; }});
+  columns.push_back({"shown_kg", [](const Tick& tick) { return tick.report.shown_kg; }});
+  return columns;
+}
+
 /// Writes the rows of a run: one a tick.
 class Rows {
  public:
-  Rows(const ForceLaw& law, bool holds) : law_(law), holds_(holds) {
-    text_ = "time_s,x_m,y_m,z_m,force_x_n,force_y_n,force_z_n,scale,energy_j,stored_j,stroke_beta";
-    text_ += holds ? ",proxy_beta,shown_kg\n" : "\n";
-  }
+  Rows(const ForceLaw& law, bool holds)
+      : law_(law), columns_(columnsOf(holds)), text_(csvHead<Tick>(columns_)) {}
 
   void add(const ForceReport& report, double stored_j) {
-    const glm::dvec3 &r = report.position_m, &f = report.force_n;
-    std::string row = csvNumbers({report.time_s, r.x, r.y, r.z, f.x, f.y, f.z, law_.cue.scale,
-                                  report.energy_j, stored_j, law_.cue.beta(glm::length(report.draw_m))});
-    if (holds_) row += csvNumbers({report.proxyBeta, report.shown_kg});
-    row.back() = '\n';
-    text_ += row;
+    text_ += csvLine<Tick>(columns_, {report, stored_j, law_.cue});
   }
 
   const std::string& text() const { return text_; }
 
  private:
   const ForceLaw& law_;
-  bool holds_;
+  std::vector<CsvColumn<Tick>> columns_;
   std::string text_;
 };
 

@@ -8,15 +8,15 @@
 #include <memory>
 #include <tuple>
 
-#include "app/files/toml_file.h"
 #include "app/tables/json_text.h"
+#include "app/toml/toml_file.h"
 #include "app/tools/option_values.h"
 #include "engine/base/bisection.h"
-#include "engine/base/whole_file.h"
 #include "engine/billiard/billiard.h"
 #include "engine/light/point_emission.h"
 #include "engine/soft/soft_play.h"
 #include "engine/spacetime/lorentz.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 

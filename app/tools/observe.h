@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/scenario.h"
+#include "app/scenario/scenario.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/lorentz.h"
 #include "engine/spacetime/world_line.h"

@@ -7,7 +7,7 @@
 #include <charconv>
 
 #include "app/file_keys/language_name.h"
-#include "app/files/config_folder.h"
+#include "app/toml/config_folder.h"
 
 namespace carom {
 

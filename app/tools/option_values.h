@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/input_file.h"
+#include "app/toml/input_file.h"
 #include "engine/spacetime/event.h"
 
 namespace carom {

@@ -17,13 +17,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/scenario.h"
-#include "app/files/scenario_soft.h"
+#include "app/scenario/scenario.h"
+#include "app/scenario/scenario_soft.h"
 #include "app/tables/json_text.h"
 #include "app/tools/option_values.h"
-#include "engine/base/log.h"
-#include "engine/base/whole_file.h"
 #include "engine/billiard/billiard.h"
+#include "engine/text/log.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/config_folder.h"
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
+#include "app/toml/config_folder.h"
 #include "app/tools/live_display.h"
 #include "app/tools/option_values.h"
 #include "devices/monitor/input_monitor.h"
@@ -26,7 +26,7 @@
 #include "devices/tracker/trace.h"
 #include "devices/usb/device_list.h"
 #include "devices/usb/evdev_force.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "app/viewer/button_changes.h"
 #include "app/viewer/shared_trackers.h"
 #include "devices/monitor/sensor_place.h"

@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "app/viewer/hand_tracking.h"
 #include "app/viewer/headset_tracker.h"
 #include "app/viewer/shared_trackers.h"

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/scenario.h"
+#include "app/scenario/scenario.h"
 #include "app/viewer/thrust_way.h"
 #include "cave/record/hand_view.h"
 #include "cave/texts/saying.h"

@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "app/viewer/platform_motion.h"
 #include "app/viewer/shared_trackers.h"
 #include "app/viewer/viewers.h"

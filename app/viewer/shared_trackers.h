@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "devices/tracker/tracker.h"
 
 namespace carom {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "app/viewer/head_tracking.h"
 #include "app/viewer/platform_motion.h"
 #include "app/viewer/shared_trackers.h"

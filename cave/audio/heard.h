@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/light/switches.h"
 #include "engine/spacetime/event.h"
 #include "engine/spacetime/observer.h"

@@ -14,7 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/audio/heard.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "cave/record/frame_state.h"
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 
 namespace carom {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "cave/room/wall_eyes.h"
-#include "engine/base/whole_file.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 namespace {

@@ -13,9 +13,9 @@
 #include <glm/vec2.hpp>
 
 #include "cave/capture/work_queue.h"
-#include "cave/gl/image.h"
 #include "cave/gl/picture.h"
 #include "cave/gl/picture_reader.h"
+#include "cave/pictures/image.h"
 #include "cave/process/termination.h"
 #include "cave/room/wall.h"
 

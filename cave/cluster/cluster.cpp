@@ -18,8 +18,8 @@
 #include <type_traits>
 
 #include "cave/process/termination.h"
-#include "engine/base/log.h"
 #include "engine/base/xxh3.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

@@ -6,9 +6,9 @@
 #include <vtk_glew.h>
 #include <glm/geometric.hpp>
 
+#include "cave/bodies/people_view.h"
 #include "cave/gl/gl_state_guard.h"
-#include "cave/render/people_view.h"
-#include "cave/render/travelling_light.h"
+#include "cave/marks/travelling_light.h"
 
 namespace carom {
 namespace {

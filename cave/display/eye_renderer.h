@@ -7,15 +7,15 @@
 #include <span>
 #include <vector>
 
+#include "cave/bodies/hot_bodies.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
+#include "cave/marks/spacetime_marks.h"
 #include "cave/record/frame_state.h"
-#include "cave/render/hot_bodies.h"
-#include "cave/render/room_sculpture.h"
-#include "cave/render/spacetime_marks.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/wall.h"
 #include "cave/scene/scene.h"
+#include "cave/sculpture/room_sculpture.h"
 
 namespace carom {
 

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "cave/display/wall_pictures.h"
+#include "cave/hud/motion_overlay.h"
 #include "cave/overlay/choice_tiles.h"
 #include "cave/overlay/class_board.h"
 #include "cave/overlay/comfort_overlay.h"
 #include "cave/overlay/cue_overlay.h"
 #include "cave/overlay/home_arrow.h"
 #include "cave/overlay/hud_panel.h"
-#include "cave/overlay/motion_overlay.h"
 #include "cave/overlay/room_overlay.h"
 #include "cave/overlay/standing_board.h"
 #include "cave/room/room_geometry.h"

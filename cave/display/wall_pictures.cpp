@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "cave/display/calibration_pattern.h"
-#include "cave/display/screen_pattern.h"
-#include "cave/gl/image.h"
+#include "cave/patterns/calibration_pattern.h"
+#include "cave/patterns/screen_pattern.h"
+#include "cave/pictures/image.h"
 #include "cave/room/headset_walls.h"
 #include "cave/screen/curved_screen.h"
 

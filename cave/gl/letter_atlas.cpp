@@ -11,7 +11,7 @@
 #include FT_FREETYPE_H
 
 #include "cave/gl/glyph_bitmap.h"
-#include "engine/base/code_points.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

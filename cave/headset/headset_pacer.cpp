@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {

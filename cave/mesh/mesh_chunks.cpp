@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "cave/mesh/polygons.h"
+#include "cave/mesh_input/polygons.h"
 
 namespace carom {
 namespace {

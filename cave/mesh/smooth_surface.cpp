@@ -19,7 +19,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "cave/mesh/polygons.h"
+#include "cave/mesh_input/polygons.h"
 
 namespace carom {
 namespace {

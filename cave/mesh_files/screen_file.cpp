@@ -12,7 +12,7 @@
 #include "cave/mesh_files/obj_file.h"
 #include "cave/mesh_files/pfm_file.h"
 #include "cave/mesh_files/vwf_file.h"
-#include "engine/base/outside_file.h"
+#include "engine/text/outside_file.h"
 
 namespace carom {
 namespace {

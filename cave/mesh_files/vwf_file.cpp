@@ -14,7 +14,7 @@
 #include "cave/mesh_files/mesh_bytes.h"
 #include "cave/mesh_files/mesh_lines.h"
 #include "cave/mesh_files/warp_grid.h"
-#include "engine/base/outside_file.h"
+#include "engine/text/outside_file.h"
 
 namespace carom {
 namespace {

@@ -12,8 +12,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "engine/collision/outline.h"
-#include "engine/collision/outline_around.h"
+#include "engine/polygons/outline.h"
+#include "engine/polygons/outline_around.h"
 
 namespace carom {
 namespace {

@@ -23,7 +23,7 @@ struct MeshPlace {
 /// The outline of what a mesh covers, in the mesh's units and axes.
 struct Footprint {
   std::vector<glm::dvec2>
-      corners;               ///< from the centre, anticlockwise: an outline (engine/collision/outline.h)
+      corners;               ///< from the centre, anticlockwise: an outline (engine/polygons/outline.h)
   glm::dvec2 centre{0.0};    ///< of mass of an even plate with this outline, in the mesh
   double radius = 0.0;       ///< of the farthest corner from the centre
   bool isInOnePiece = true;  ///< otherwise the outline is around the convex hull of several pieces

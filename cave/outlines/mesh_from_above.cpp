@@ -3,8 +3,8 @@
 #include <array>
 #include <span>
 
-#include "cave/mesh/mesh_file.h"
-#include "cave/mesh/polygons.h"
+#include "cave/mesh_input/mesh_file.h"
+#include "cave/mesh_input/polygons.h"
 
 namespace carom {
 

@@ -1,5 +1,5 @@
 #include "cave/outlines/mesh_from_above.h"
-#include "engine/base/input_error.h"
+#include "engine/text/input_error.h"
 
 namespace carom {
 

@@ -16,7 +16,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "cave/overlay/hud_text.h"
+#include "cave/hud/hud_text.h"
 #include "cave/overlay/wall_buttons.h"
 #include "cave/room/wall.h"
 

@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "cave/overlay/hud_line.h"
+#include "cave/hud/hud_line.h"
 #include "cave/record/effects.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/key_names.h"

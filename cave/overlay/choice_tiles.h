@@ -14,7 +14,7 @@
 
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/picture.h"
-#include "cave/overlay/panel_picture.h"
+#include "cave/hud/panel_picture.h"
 #include "cave/overlay/wall_buttons.h"
 #include "cave/record/frame_state.h"
 #include "cave/room/wall.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cave/overlay/panel_place.h"
+#include "cave/hud/panel_place.h"
 #include "cave/overlay/wall_buttons.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/format.h"

@@ -12,7 +12,7 @@
 
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/picture.h"
-#include "cave/overlay/panel_picture.h"
+#include "cave/hud/panel_picture.h"
 #include "cave/overlay/qr_code.h"
 #include "cave/record/class_view.h"
 #include "cave/room/wall.h"

@@ -11,8 +11,8 @@
 
 #include "cave/gl/gl_program.h"
 #include "cave/gl/gl_state_guard.h"
-#include "cave/overlay/hud_text.h"
-#include "cave/overlay/motion_overlay.h"
+#include "cave/hud/hud_text.h"
+#include "cave/hud/motion_overlay.h"
 #include "cave/room/off_axis.h"
 #include "shaders/shade_frag.h"
 #include "shaders/shade_vert.h"

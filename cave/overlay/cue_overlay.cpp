@@ -14,7 +14,7 @@
 #include "cave/room/off_axis.h"
 #include "cave/texts/format.h"
 #include "cave/texts/texts.h"
-#include "engine/base/code_points.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {

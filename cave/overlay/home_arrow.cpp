@@ -9,8 +9,8 @@
 
 #include "cave/gl/gl_state_guard.h"
 #include "cave/gl/glyph_bitmap.h"
+#include "cave/hud/hud_text.h"
 #include "cave/overlay/comfort_overlay.h"
-#include "cave/overlay/hud_text.h"
 #include "cave/room/off_axis.h"
 #include "cave/texts/format.h"
 #include "cave/texts/texts.h"

@@ -9,7 +9,7 @@
 
 #include "cave/gl/line_batch.h"
 #include "cave/gl/picture.h"
-#include "cave/overlay/panel_picture.h"
+#include "cave/hud/panel_picture.h"
 #include "cave/record/frame_state.h"
 #include "cave/room/room_geometry.h"
 #include "cave/room/wall.h"

@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "cave/overlay/panel_place.h"
+#include "cave/hud/panel_place.h"
 #include "cave/room/off_axis.h"
 
 namespace carom {

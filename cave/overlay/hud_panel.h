@@ -14,9 +14,9 @@
 
 #include "cave/gl/glyph_bitmap.h"
 #include "cave/gl/picture.h"
+#include "cave/hud/hud_text.h"
+#include "cave/hud/panel_picture.h"
 #include "cave/overlay/band_layout.h"
-#include "cave/overlay/hud_text.h"
-#include "cave/overlay/panel_picture.h"
 #include "cave/record/frame_state.h"
 #include "cave/room/wall.h"
 

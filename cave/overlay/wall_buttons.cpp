@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "cave/hud/motion_overlay.h"
+#include "cave/hud/panel_place.h"
 #include "cave/overlay/home_arrow.h"
-#include "cave/overlay/motion_overlay.h"
-#include "cave/overlay/panel_place.h"
 #include "cave/record/effects.h"
 #include "cave/room/off_axis.h"
 

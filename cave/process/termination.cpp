@@ -1,5 +1,5 @@
 #include "cave/process/termination.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 #include <semaphore.h>
 

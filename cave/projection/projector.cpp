@@ -3,52 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
-#include <vtkCommand.h>
-#include <vtkDataArray.h>
-#include <vtkImageData.h>
-#include <vtkImageReader2.h>
-#include <vtkJPEGReader.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkPointData.h>
-#include <vtkSmartPointer.h>
-#include <vtkTIFFReader.h>
 #include <vtk_glew.h>
 
 #include "cave/gl/gl_program.h"
 #include "cave/mesh_files/vwf_file.h"
-#include "cave/mesh_files/warp_file.h"
+#include "cave/pictures/picture_library.h"
 #include "cave/process/subprocess.h"
-#include "engine/base/outside_file.h"
+#include "cave/warps/warp_file.h"
+#include "engine/text/outside_file.h"
 #include "shaders/projector_frag.h"
 #include "shaders/projector_vert.h"
 
 namespace carom {
 namespace {
-
-constexpr int kWidestBlend_px = 16384;
-
-/// Records that VTK reported an error.
-class Complaint : public vtkCommand {
- public:
-  static Complaint* New() { return new Complaint; }
-  void Execute(vtkObject*, unsigned long, void*) override { heard = true; }
-  bool heard = false;
-};
-
-vtkSmartPointer<vtkImageReader2> readerFor(const std::string& ending) {
-  if (ending == ".png") return vtkSmartPointer<vtkPNGReader>::New();
-  if (ending == ".jpg" || ending == ".jpeg") return vtkSmartPointer<vtkJPEGReader>::New();
-  if (ending == ".tif" || ending == ".tiff") return vtkSmartPointer<vtkTIFFReader>::New();
-  return nullptr;
-}
 
 /// Returns the code of linear light for a projector: sRGB (IEC 61966-2-1), or that of its gamma.
 float codeOf(double light, const std::optional<glm::dvec3>& gamma, int colour) {
@@ -69,61 +42,12 @@ class DrawInto {
   DrawInto& operator=(const DrawInto&) = delete;
 };
 
-/// Returns the picture as bytes: width, height, then RGB.
-std::string bytesOf(const glm::ivec2& size_px, vtkDataArray& values) {
-  const bool deep = values.GetDataType() == VTK_UNSIGNED_SHORT;
-  const int parts = values.GetNumberOfComponents();
-  std::vector<std::uint16_t> rgb;
-  rgb.reserve(3 * static_cast<std::size_t>(values.GetNumberOfTuples()));
-  for (vtkIdType pixel = 0; pixel < values.GetNumberOfTuples(); ++pixel) {
-    for (int part = 0; part < 3; ++part) {
-      const double value = values.GetComponent(pixel, parts < 3 ? 0 : part);
-      rgb.push_back(static_cast<std::uint16_t>(deep ? value : value * 257.0));  // 255 × 257 = 65535
-    }
-  }
-  std::string bytes(reinterpret_cast<const char*>(&size_px), sizeof(size_px));
-  return bytes.append(reinterpret_cast<const char*>(rgb.data()), 2 * rgb.size());
-}
-
 BlendPicture blendFrom(const std::string& bytes) {
   BlendPicture blend;
   std::memcpy(&blend.size_px, bytes.data(), sizeof(blend.size_px));
   blend.rgb.resize((bytes.size() - sizeof(blend.size_px)) / 2);
   std::memcpy(blend.rgb.data(), bytes.data() + sizeof(blend.size_px), 2 * blend.rgb.size());
   return blend;
-}
-
-/// Reads the blend picture. Run it in a subprocess: VTK's readers crash on some broken files.
-std::string blendBytes(const std::filesystem::path& file) {
-  std::freopen("/dev/null", "w", stderr);  // the libraries print their own messages there
-  const std::string name = file.string();
-  const auto reader = readerFor(file.extension().string());
-  if (!reader) throw std::runtime_error("is of a kind that cannot be read, expected a PNG, JPEG or TIFF");
-  if (reader->CanReadFile(name.c_str()) == 0) {
-    throw std::runtime_error("is no such picture, expected one that can be read");
-  }
-  vtkNew<Complaint> complaint;
-  for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) {
-    reader->AddObserver(event, complaint);
-  }
-  reader->SetFileName(name.c_str());
-  reader->UpdateInformation();
-  const int* extent = reader->GetDataExtent();
-  const glm::ivec2 size_px(extent[1] - extent[0] + 1, extent[3] - extent[2] + 1);
-  if (size_px.x < 1 || size_px.y < 1 || size_px.x > kWidestBlend_px || size_px.y > kWidestBlend_px) {
-    throw std::runtime_error(
-        fmt::format("has {} × {} pixels, expected 1 to {} each way", size_px.x, size_px.y, kWidestBlend_px));
-  }
-  reader->Update();
-  vtkDataArray* values = reader->GetOutput()->GetPointData()->GetScalars();
-  const auto pixels = static_cast<vtkIdType>(size_px.x) * size_px.y;
-  if (complaint->heard || reader->GetErrorCode() != 0 || !values || values->GetNumberOfTuples() != pixels) {
-    throw std::runtime_error("is broken, expected the picture whole");
-  }
-  if (values->GetDataType() != VTK_UNSIGNED_CHAR && values->GetDataType() != VTK_UNSIGNED_SHORT) {
-    throw std::runtime_error("has numbers of another kind, expected 8 or 16 bits a colour");
-  }
-  return bytesOf(size_px, *values);
 }
 
 BlendPicture blendOf(VwfFile file) {
@@ -134,11 +58,13 @@ BlendPicture blendOf(VwfFile file) {
 }  // namespace
 
 BlendPicture readBlend(const std::filesystem::path& file) {
+  const bool isPicture = file.extension() != ".vwf";
+  if (isPicture) pictureLibrary();  // before the process that reads begins
   try {
-    if (file.extension() == ".vwf") return blendOf(parseVwf(contentOf(file, InputKind::screenGrid)));
+    if (!isPicture) return blendOf(parseVwf(contentOf(file, InputKind::screenGrid)));
     if (const std::string refusal = refusalOf(file, InputKind::blend); !refusal.empty())
       throw std::runtime_error(refusal);
-    return blendFrom(runInSubprocess([&] { return blendBytes(file); }));
+    return blendFrom(runInSubprocess([&] { return pictureLibrary().pixelBytes(file); }));
   } catch (const JobTooLarge& lost) {
     throw JobTooLarge(file.string() + ":1:1: " + lost.what() + ", expected a smaller picture");
   } catch (const SubprocessFailed&) {

@@ -21,7 +21,7 @@
 #include "cave/record/wall_controls.h"
 #include "engine/base/limits.h"
 #include "engine/base/pose.h"
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/light/switches.h"
 #include "engine/linked/told_path.h"
 #include "engine/soft/soft_history.h"

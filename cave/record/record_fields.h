@@ -1,7 +1,7 @@
 #pragma once
 // The fields of a frame's record, its knots and its events, each listed once. The rules (record_rules.h), the
-// digest (frame_digest.h) and the columns of the session file (app/journal/frame_columns.h) are visitors of
-// these lists: a new field is added to its struct and to the list of the struct, and nowhere else.
+// digest (frame_digest.h) and the columns of the session file (app/journal_rows/frame_columns.h) are visitors
+// of these lists: a new field is added to its struct and to the list of the struct, and nowhere else.
 //
 // visit(part, fields) calls fields(name, value, kind) for each field of `part`. A visitor derives from
 // FieldVisitor. `name` is that of the column in the session file, or the beginning of several names, and ends

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "cave/record/frame_state.h"
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/linked/told_path.h"
 #include "engine/spacetime/world_line.h"
 

@@ -40,8 +40,8 @@ struct NamedView {
   int key;            ///< that turns it: a letter, a sign or kKeyF11
   texts::Text words;  ///< what the key does
   texts::Text tip;
-  texts::Text legend;  ///< none: the legend tells of it in another way (cave/overlay/hud_text.cpp)
-  bool isMark;         ///< it is drawn among the bodies (cave/render/spacetime_marks.h)
+  texts::Text legend;  ///< none: the legend tells of it in another way (cave/hud/hud_text.cpp)
+  bool isMark;         ///< it is drawn among the bodies (cave/marks/spacetime_marks.h)
 };
 
 /// A session file stores them as one number, whose bits are in this order.

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "cave/render/body_drawer.h"
+#include "cave/bodies/body_drawer.h"
 #include "cave/render/draw_target.h"
 
 namespace carom {

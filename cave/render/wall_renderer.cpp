@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "cave/bodies/body_drawer.h"
 #include "cave/frame/bodies.h"
+#include "cave/marks/spacetime_marks.h"
 #include "cave/mesh/tessellation.h"
-#include "cave/render/body_drawer.h"
 #include "cave/render/draw_target.h"
 #include "cave/render/edge_smoother.h"
-#include "cave/render/room_sculpture.h"
-#include "cave/render/spacetime_marks.h"
 #include "cave/render/still_layers.h"
 #include "cave/room/off_axis.h"
+#include "cave/sculpture/room_sculpture.h"
 
 namespace carom {
 

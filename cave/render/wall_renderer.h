@@ -9,13 +9,13 @@
 #include <span>
 #include <vector>
 
+#include "cave/bodies/hot_bodies.h"
+#include "cave/bodies/soft_drawer.h"
 #include "cave/gl/gpu_timer.h"
 #include "cave/gl/graphics.h"
 #include "cave/gl/picture.h"
-#include "cave/render/ghosts.h"
-#include "cave/render/hot_bodies.h"
-#include "cave/render/soft_drawer.h"
 #include "cave/room/wall.h"
+#include "cave/scene/ghosts.h"
 #include "cave/scene/scene.h"
 #include "engine/light/light_cone.h"
 #include "engine/light/switches.h"

@@ -2,7 +2,7 @@
 // The light of what rests on the board, computed once: which of the lamps each vertex of table and hall sees,
 // and how much of the hall around it is open. Lamps, hall and table rest in one frame, so none of this
 // depends on the eye, and a frame costs no more for it. Pucks have shadows of their own
-// (cave/render/shaders/body_vert.glsl).
+// (cave/bodies/shaders/body_vert.glsl).
 
 #include <cstdint>
 #include <span>

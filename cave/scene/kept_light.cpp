@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "cave/scene/baked_light.h"
-#include "engine/base/whole_file.h"
 #include "engine/base/xxh3.h"
+#include "engine/text/whole_file.h"
 
 namespace carom {
 namespace {

@@ -7,10 +7,10 @@
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
 #include <glm/common.hpp>
 
 #include "cave/mesh/mesh_builder.h"
+#include "cave/mesh_input/mesh_library.h"
 
 namespace carom {
 namespace {
@@ -59,11 +59,7 @@ vtkSmartPointer<vtkPolyData> stick() {
 vtkSmartPointer<vtkPolyData> alongX(vtkPolyData& mesh) {
   vtkNew<vtkTransform> turn;
   turn->RotateZ(-90.0);
-  vtkNew<vtkTransformPolyDataFilter> turned;
-  turned->SetInputData(&mesh);
-  turned->SetTransform(turn);
-  turned->Update();
-  return turned->GetOutput();
+  return meshLibrary().transformed(mesh, *turn);
 }
 
 /// Returns how far a mesh reaches from its origin, with room for rounding to floats.

@@ -5,19 +5,17 @@
 #include <cmath>
 #include <numbers>
 
-#include <vtkAdaptiveSubdivisionFilter.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
-#include <vtkTriangleFilter.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cave/mesh/mesh_builder.h"
 #include "cave/mesh/smooth_surface.h"
+#include "cave/mesh_input/mesh_library.h"
 #include "cave/scene/shadow_model.h"
 
 namespace carom {
@@ -106,14 +104,10 @@ vtkSmartPointer<vtkPolyData> dividedTo(const Tessellation& tessellation, vtkSmar
   constexpr int kMostPasses = 24;
   const auto most = static_cast<vtkIdType>(tessellation.mostVertices);
   for (int pass = 0; pass < kMostPasses && mesh->GetNumberOfPoints() <= most; ++pass) {
-    vtkNew<vtkAdaptiveSubdivisionFilter> halved;
-    halved->SetInputData(mesh);
-    halved->SetMaximumEdgeLength(tessellation.edge_m());
-    halved->SetMaximumNumberOfPasses(1);
-    halved->Update();
-    const vtkIdType points = halved->GetOutput()->GetNumberOfPoints();
+    const auto halved = meshLibrary().longEdgesHalved(*mesh, tessellation.edge_m());
+    const vtkIdType points = halved->GetNumberOfPoints();
     if (points == mesh->GetNumberOfPoints() || points > most) break;
-    mesh = halved->GetOutput();
+    mesh = halved;
   }
   return mesh;
 }
@@ -189,24 +183,14 @@ ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m) {
 ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
                    const glm::vec3& colour, const Tessellation& tessellation,
                    const std::optional<MeshPlace>& place) {
-  vtkNew<vtkTransformPolyDataFilter> fitted;
-  fitted->SetInputData(read);
-  fitted->SetTransform(fitTo(*read, radius_m, place));
-  fitted->Update();
-  return surfacePart(fitted->GetOutput(), body, colour, tessellation);
+  const auto fitted = meshLibrary().transformed(*read, *fitTo(*read, radius_m, place));
+  return surfacePart(fitted, body, colour, tessellation);
 }
 
 ScenePart surfacePart(const vtkSmartPointer<vtkPolyData>& whole, std::size_t body, const glm::vec3& colour,
                       const Tessellation& tessellation) {
-  vtkNew<vtkTriangleFilter> triangles;
-  if (whole->GetPolys()->IsHomogeneous() != 3) {
-    triangles->SetInputData(whole);
-    triangles->PassLinesOff();
-    triangles->PassVertsOff();
-    triangles->Update();
-  }
-  const auto merged =
-      withPointsMerged(whole->GetPolys()->IsHomogeneous() == 3 ? *whole : *triangles->GetOutput());
+  const bool hasOnlyTriangles = whole->GetPolys()->IsHomogeneous() == 3;
+  const auto merged = withPointsMerged(hasOnlyTriangles ? *whole : *meshLibrary().cutToTriangles(*whole));
   const vtkSmartPointer<vtkPolyData> mesh = withNormals(*dividedTo(tessellation, merged));
 
   vtkNew<vtkFloatArray> surface;

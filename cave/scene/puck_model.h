@@ -21,9 +21,9 @@ std::vector<ScenePart> puckParts(double radius_m, double height_m, std::size_t b
 /// Returns a rod of 1 m along x, in bands of 10 cm.
 ScenePart rodPart(std::size_t body, const glm::vec3& colour, double cell_m = kAnyCell_m);
 
-/// Returns a mesh read from a file (cave/mesh/mesh_file.h), with the middle of its bounding box at the body's
-/// centre. With `radius_m` > 0 it is scaled so that it just fits into a vertical cylinder of that radius.
-/// With `place` it lies and is scaled as that says.
+/// Returns a mesh read from a file (cave/mesh_input/mesh_file.h), with the middle of its bounding box at the
+/// body's centre. With `radius_m` > 0 it is scaled so that it just fits into a vertical cylinder of that
+/// radius. With `place` it lies and is scaled as that says.
 ScenePart meshPart(const vtkSmartPointer<vtkPolyData>& read, double radius_m, std::size_t body,
                    const glm::vec3& colour, const Tessellation& tessellation,
                    const std::optional<MeshPlace>& place = {});

@@ -14,7 +14,7 @@
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene_part.h"
 #include "cave/scene/soft_model.h"
-#include "engine/billiard/billiard_setup.h"
+#include "engine/game/billiard_setup.h"
 #include "engine/light/light_path.h"
 #include "engine/spacetime/world_line.h"
 
@@ -37,7 +37,7 @@ struct Ruler {
   glm::dvec3 along{1.0, 0.0, 0.0}, aside{0.0, 1.0, 0.0};
 };
 
-/// Light that falls as flat as it can, 0.05 in cave/render/shaders/body_vert.glsl, makes a shadow 20 times as
+/// Light that falls as flat as it can, 0.05 in cave/bodies/shaders/body_vert.glsl, makes a shadow 20 times as
 /// long as the puck is high; its motion may double that.
 inline constexpr double kLongestShadow = 40.0;
 
@@ -48,7 +48,7 @@ struct SculptedBody {
   glm::vec3 colour{1.0F};  ///< linear light
 };
 
-/// What the sculpture of the game's spacetime shows (cave/render/room_sculpture.h).
+/// What the sculpture of the game's spacetime shows (cave/sculpture/room_sculpture.h).
 struct SculptedGame {
   std::vector<SculptedBody> bodies;
   glm::dvec2 half_m{1.0};  ///< from the board's middle to its cushions, or to the pucks

@@ -15,15 +15,15 @@
 
 #include "cave/frame/bodies.h"
 #include "cave/frame/body_colour.h"
-#include "cave/mesh/mesh_file.h"
-#include "cave/mesh/polygons.h"
 #include "cave/mesh/surface_tiles.h"
+#include "cave/mesh_input/mesh_file.h"
+#include "cave/mesh_input/polygons.h"
 #include "cave/scene/hall_model.h"
 #include "cave/scene/outline_model.h"
 #include "cave/scene/puck_model.h"
 #include "cave/scene/shadow_model.h"
 #include "cave/scene/table_model.h"
-#include "engine/billiard/soft_puck_mesh.h"
+#include "engine/game/soft_puck_mesh.h"
 
 namespace carom {
 namespace {

@@ -14,7 +14,7 @@ namespace carom {
 
 /// Uses the board of `setup`, and of its pucks only their masses and whether they are or can
 /// become soft. Throws InputError
-/// (engine/base/input_error.h) if a mesh file is faulty.
+/// (engine/text/input_error.h) if a mesh file is faulty.
 Scene buildScene(const BilliardSetup& setup, std::span<const BodyLooks> pucks,
                  std::span<const BodyLooks> told = {}, const Hall& hall = {},
                  const Tessellation& tessellation = {});

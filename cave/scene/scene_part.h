@@ -18,7 +18,7 @@
 
 namespace carom {
 
-/// How a surface is painted; each is one small fragment shader, cave/render/shaders/paint_NAME.glsl.
+/// How a surface is painted; each is one small fragment shader, cave/bodies/shaders/paint_NAME.glsl.
 enum class Paint {
   plain,    ///< colour alone
   cloth,    ///< of the table

@@ -15,8 +15,8 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
-#include <vtkXMLPolyDataWriter.h>
 
+#include "cave/mesh_input/mesh_library.h"
 #include "engine/light/light_cone.h"
 #include "engine/light/sampled_history.h"
 
@@ -211,12 +211,6 @@ SeenMesh seenMesh(const Scene& scene, std::span<const SeenBody> bodies, const Ev
   return seen;
 }
 
-std::string vtpText(const SeenMesh& seen) {
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(seen.mesh);
-  writer->SetWriteToOutputString(true);
-  writer->Write();
-  return writer->GetOutputString();
-}
+std::string vtpText(const SeenMesh& seen) { return meshLibrary().vtpOf(*seen.mesh); }
 
 }  // namespace carom

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/mesh/mesh_builder.h"
-#include "engine/collision/outline.h"
+#include "engine/polygons/outline.h"
 
 namespace carom {
 namespace {

@@ -30,7 +30,7 @@ inline double hallShadowReachOf_m(double height_m) { return 0.9 * height_m; }
 /// puck: where they point away from the light, the shader places the far side of the shadow.
 ScenePart discShadow(double radius_m, double height_m, std::size_t body, double cell_m);
 
-/// Returns the shadow of a prism over an outline (engine/collision/outline.h). Where the shadow of one side
+/// Returns the shadow of a prism over an outline (engine/polygons/outline.h). Where the shadow of one side
 /// falls into a dent and on that of another, it is drawn twice.
 ScenePart outlineShadow(std::span<const glm::dvec2> corners_m, double height_m, std::size_t body,
                         double cell_m);

@@ -1,6 +1,6 @@
 #pragma once
 // Soft pucks and told bodies that deform, in the room at one time of the room's own clock: every vertex where
-// its rows have it then (cave/render/seen_rows.h), in the room's frame.
+// its rows have it then (cave/bodies/seen_rows.h), in the room's frame.
 
 #include <cstddef>
 #include <memory>
@@ -9,8 +9,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "cave/bodies/seen_rows.h"
 #include "cave/record/frame_state.h"
-#include "cave/render/seen_rows.h"
 #include "cave/scene/scene.h"
 #include "cave/spectator/solid_drawer.h"
 #include "engine/spacetime/event.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/force/force_law.h"
+#include "devices/force_law/force_law.h"
 
 namespace carom {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "devices/force/cue_force.h"
-#include "devices/force/force_law.h"
+#include "devices/force_law/cue_force.h"
+#include "devices/force_law/force_law.h"
 
 namespace carom {
 

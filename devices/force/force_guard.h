@@ -5,8 +5,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "devices/force/cue_force.h"
-#include "devices/force/force_law.h"
+#include "devices/force_law/cue_force.h"
+#include "devices/force_law/force_law.h"
 
 namespace carom {
 

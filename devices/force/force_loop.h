@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "devices/force/force_guard.h"
-#include "devices/force/force_law.h"
-#include "devices/force/held_puck.h"
-#include "devices/force/passivity.h"
-#include "devices/force/shown_mass.h"
+#include "devices/force_law/force_law.h"
+#include "devices/force_law/held_puck.h"
+#include "devices/force_law/passivity.h"
+#include "devices/force_law/shown_mass.h"
 
 namespace carom {
 

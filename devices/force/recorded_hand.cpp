@@ -6,8 +6,8 @@
 #include <cmath>
 #include <system_error>
 
-#include "engine/base/input_error.h"
-#include "engine/base/outside_file.h"
+#include "engine/text/input_error.h"
+#include "engine/text/outside_file.h"
 
 namespace carom {
 namespace {

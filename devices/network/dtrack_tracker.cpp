@@ -11,9 +11,9 @@
 #include "devices/network/dtrack_controller.h"
 #include "devices/network/source_url.h"
 #include "devices/protocol/dtrack_decoder.h"
-#include "devices/protocol/frame_gaps.h"
 #include "devices/tracker/retry.h"
 #include "devices/tracker/stoppable_wait.h"
+#include "devices/wire/frame_gaps.h"
 
 namespace carom {
 namespace {

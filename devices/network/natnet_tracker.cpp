@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "devices/network/source_url.h"
-#include "devices/protocol/frame_gaps.h"
 #include "devices/protocol/natnet_decoder.h"
 #include "devices/tracker/retry.h"
+#include "devices/wire/frame_gaps.h"
 
 namespace carom {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "devices/network/source_url.h"
-#include "devices/protocol/osc_decoder.h"
+#include "devices/osc/osc_decoder.h"
 #include "devices/tracker/retry.h"
 
 namespace carom {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "devices/network/socket.h"
-#include "devices/protocol/osc_mapping.h"
+#include "devices/osc/osc_mapping.h"
 #include "devices/tracker/device_tracker.h"
 
 namespace carom {

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include "devices/network/source_url.h"
-#include "devices/protocol/frame_gaps.h"
 #include "devices/protocol/qtm_bodies.h"
 #include "devices/protocol/qtm_frame.h"
 #include "devices/protocol/qtm_packets.h"
-#include "devices/protocol/shown_name.h"
 #include "devices/tracker/retry.h"
+#include "devices/wire/frame_gaps.h"
+#include "devices/wire/shown_name.h"
 
 namespace carom {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "devices/network/source_url.h"
-#include "devices/protocol/shown_name.h"
 #include "devices/protocol/vrpn_decoder.h"
 #include "devices/tracker/retry.h"
+#include "devices/wire/shown_name.h"
 
 namespace carom {
 namespace {

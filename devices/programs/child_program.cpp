@@ -16,8 +16,8 @@
 #include <thread>
 #include <utility>
 
-#include "devices/protocol/shown_name.h"
 #include "devices/tracker/retry.h"
+#include "devices/wire/shown_name.h"
 
 namespace carom {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "devices/network/source_url.h"
 #include "devices/programs/child_program.h"
-#include "devices/protocol/shown_name.h"
 #include "devices/protocol/survive_decoder.h"
 #include "devices/tracker/retry.h"
+#include "devices/wire/shown_name.h"
 
 namespace carom {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "devices/protocol/checked_pose.h"
+#include "devices/wire/checked_pose.h"
 
 namespace carom {
 namespace {

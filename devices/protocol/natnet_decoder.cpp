@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "devices/protocol/checked_pose.h"
-#include "devices/protocol/wire_reader.h"
+#include "devices/wire/checked_pose.h"
+#include "devices/wire/wire_reader.h"
 
 namespace carom {
 namespace {

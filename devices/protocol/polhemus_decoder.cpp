@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "devices/protocol/checked_pose.h"
-#include "devices/protocol/wire_reader.h"
+#include "devices/wire/checked_pose.h"
+#include "devices/wire/wire_reader.h"
 
 namespace carom {
 namespace {

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "devices/protocol/frame_gaps.h"
-#include "devices/protocol/unwrapped_counter.h"
 #include "devices/tracker/reading.h"
+#include "devices/wire/frame_gaps.h"
+#include "devices/wire/unwrapped_counter.h"
 
 namespace carom {
 

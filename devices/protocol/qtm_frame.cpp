@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "devices/protocol/checked_pose.h"
-#include "devices/protocol/wire_reader.h"
+#include "devices/wire/checked_pose.h"
+#include "devices/wire/wire_reader.h"
 
 namespace carom {
 namespace {

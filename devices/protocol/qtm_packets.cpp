@@ -4,7 +4,7 @@
 #include <bit>
 #include <stdexcept>
 
-#include "devices/protocol/wire_reader.h"
+#include "devices/wire/wire_reader.h"
 
 namespace carom {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "devices/protocol/wire_reader.h"
+#include "devices/wire/wire_reader.h"
 
 namespace carom {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "devices/protocol/unwrapped_counter.h"
+#include "devices/wire/unwrapped_counter.h"
 
 namespace carom {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "devices/protocol/checked_pose.h"
-#include "devices/protocol/shown_name.h"
+#include "devices/wire/checked_pose.h"
+#include "devices/wire/shown_name.h"
 
 namespace carom {
 namespace {

@@ -9,8 +9,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "devices/protocol/checked_pose.h"
-#include "devices/protocol/wire_reader.h"
+#include "devices/wire/checked_pose.h"
+#include "devices/wire/wire_reader.h"
 
 namespace carom {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "devices/protocol/checked_pose.h"
-#include "devices/protocol/shown_name.h"
-#include "devices/protocol/wire_reader.h"
+#include "devices/wire/checked_pose.h"
+#include "devices/wire/shown_name.h"
+#include "devices/wire/wire_reader.h"
 
 namespace carom {
 namespace {

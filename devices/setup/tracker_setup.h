@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "devices/protocol/osc_mapping.h"
+#include "devices/osc/osc_mapping.h"
 #include "engine/base/pose.h"
 
 namespace carom {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "engine/base/input_error.h"
-#include "engine/base/outside_file.h"
+#include "engine/text/input_error.h"
+#include "engine/text/outside_file.h"
 
 namespace carom {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "engine/base/bisection.h"
 #include "engine/billiard/collision_scheduler.h"
-#include "engine/billiard/game_history.h"
-#include "engine/billiard/setup_check.h"
 #include "engine/billiard/soft_game.h"
+#include "engine/game/game_history.h"
+#include "engine/game/setup_check.h"
 
 namespace carom {
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/billiard/billiard_setup.h"
-#include "engine/billiard/soft_state.h"
+#include "engine/game/billiard_setup.h"
+#include "engine/game/soft_state.h"
 
 namespace carom {
 

@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "engine/billiard/billiard_setup.h"
 #include "engine/billiard/due_queue.h"
 #include "engine/billiard/event_predictor.h"
-#include "engine/billiard/game_history.h"
-#include "engine/billiard/game_state.h"
-#include "engine/billiard/impact_resolver.h"
-#include "engine/billiard/jam_resolver.h"
-#include "engine/billiard/neighbours.h"
+#include "engine/game/billiard_setup.h"
+#include "engine/game/game_history.h"
+#include "engine/game/game_state.h"
+#include "engine/impact/impact_resolver.h"
+#include "engine/impact/jam_resolver.h"
+#include "engine/impact/neighbours.h"
 
 namespace carom {
 

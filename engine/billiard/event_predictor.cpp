@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/billiard/contact_finder.h"
+#include "engine/impact/contact_finder.h"
 
 namespace carom {
 

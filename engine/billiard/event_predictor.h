@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/billiard/due_queue.h"
-#include "engine/billiard/game_state.h"
-#include "engine/billiard/neighbours.h"
+#include "engine/game/game_state.h"
+#include "engine/impact/neighbours.h"
 
 namespace carom {
 

@@ -1,6 +1,6 @@
 #include "engine/billiard/soft_game.h"
 
-#include "engine/billiard/soft_puck_mesh.h"
+#include "engine/game/soft_puck_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,6 @@ struct SoftGame::Snapshot {
 
 namespace {
 
-constexpr int kStiffCells = 10;
 constexpr double kStiffViscosity = 0.3;
 // Where a told body crushes what it holds, the centre of energy can jump. Its leg follows as fast as this.
 constexpr double kFastest = 0.99;
@@ -33,11 +32,6 @@ std::vector<SoftCushion> softCushions(const std::optional<Board>& board) {
   if (!board) return {};
   const double x = 0.5 * board->length_m, y = 0.5 * board->width_m;
   return {{{1.0, 0.0}, x}, {{-1.0, 0.0}, x}, {{0.0, 1.0}, y}, {{0.0, -1.0}, y}};  // in the order of `Cushion`
-}
-
-SoftMesh meshOf(const Puck& puck, int cells) {
-  if (puck.outline_m.empty()) return softDisc(puck.radius_m, cells);
-  return softRectangle(glm::abs(puck.outline_m.front()), cells);
 }
 
 std::vector<SoftHold> holdsOf(const SoftMatter& matter, double c_m_s) {
@@ -51,8 +45,6 @@ std::vector<SoftHold> holdsOf(const SoftMatter& matter, double c_m_s) {
 }
 
 }  // namespace
-
-SoftMesh softMeshOf(const Puck& puck) { return meshOf(puck, puck.soft ? puck.soft->cells : kStiffCells); }
 
 SoftGame::SoftGame(const BilliardSetup& setup, CollisionScheduler& rigid, GameHistory& history,
                    SoftRowBook& rows)
@@ -86,7 +78,7 @@ void SoftGame::enter(std::size_t puck, const CollisionScheduler::Withdrawn& was,
   bodies_[puck] = Body{puckOf_.size(), rigidLine ? std::optional(time() / c_m_s_) : std::nullopt};
   puckOf_.push_back(puck);
   play_.add({of.name,
-             std::make_shared<const SoftMesh>(meshOf(of, matter.cells)),
+             std::make_shared<const SoftMesh>(softMeshOf(of)),
              {matter.soundSpeed, matter.viscosity},
              of.mass_kg,
              {start.x, start.y},

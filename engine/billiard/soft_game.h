@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/billiard/billiard_setup.h"
 #include "engine/billiard/collision_scheduler.h"
-#include "engine/billiard/game_history.h"
 #include "engine/billiard/soft_ahead.h"
 #include "engine/billiard/soft_row_book.h"
-#include "engine/billiard/soft_state.h"
+#include "engine/game/billiard_setup.h"
+#include "engine/game/game_history.h"
+#include "engine/game/soft_state.h"
 #include "engine/soft/soft_play.h"
 
 namespace carom {

@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/billiard/billiard_setup.h"
+#include "engine/game/billiard_setup.h"
 #include "engine/soft/row_recorder.h"
 #include "engine/soft/soft_play.h"
 #include "engine/spacetime/world_line.h"

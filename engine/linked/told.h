@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "engine/base/limits.h"
-#include "engine/billiard/billiard_setup.h"
+#include "engine/game/billiard_setup.h"
 #include "engine/spacetime/event.h"
 
 namespace carom {

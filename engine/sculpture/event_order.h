@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/billiard/game_event.h"
+#include "engine/game/game_event.h"
 #include "engine/spacetime/event.h"
 
 namespace carom {

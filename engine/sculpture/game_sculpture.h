@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/billiard/billiard_setup.h"
+#include "engine/game/billiard_setup.h"
 #include "engine/sculpture/solid.h"
 #include "engine/sculpture/spacetime_frame.h"
 #include "engine/sculpture/world_tube.h"

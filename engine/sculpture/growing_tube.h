@@ -10,7 +10,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "engine/billiard/billiard_setup.h"
+#include "engine/game/billiard_setup.h"
 #include "engine/sculpture/soft_rim.h"
 #include "engine/sculpture/world_tube.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/billiard/soft_puck_mesh.h"
+#include "engine/game/soft_puck_mesh.h"
 #include "engine/light/row_eye.h"
 #include "engine/light/vertex_history.h"
 #include "engine/sculpture/world_tube.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/billiard/billiard_setup.h"
+#include "engine/game/billiard_setup.h"
 #include "engine/sculpture/rim_cut.h"
 #include "engine/sculpture/spacetime_frame.h"
 #include "engine/soft/soft_history.h"

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/billiard/billiard_setup.h"
+#include "engine/game/billiard_setup.h"
 #include "engine/light/vertex_history.h"
 #include "engine/sculpture/solid.h"
 #include "engine/sculpture/spacetime_frame.h"

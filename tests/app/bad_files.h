@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/outside_file.h"
+#include "engine/text/outside_file.h"
 
 namespace carom::test {
 

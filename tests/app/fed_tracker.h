@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "devices/tracker/tracker.h"
 
 namespace carom::test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/room_import/room.h"
+#include "app/room_checks/room.h"
 
 namespace carom::test {
 

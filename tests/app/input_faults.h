@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "app/files/toml_file.h"
+#include "app/toml/toml_file.h"
 
 namespace carom::test {
 

@@ -17,17 +17,17 @@
 #include <string>
 #include <vector>
 
-#include "app/files/config_folder.h"
-#include "app/files/starting_histories.h"
 #include "app/hand/ray_picking.h"
 #include "app/input/end_question.h"
 #include "app/input/key_lock.h"
 #include "app/journal/journal.h"
+#include "app/live/live_source.h"
 #include "app/operator/visitor_choices.h"
+#include "app/scenario/starting_histories.h"
 #include "app/session/director.h"
 #include "app/session/game_settings.h"
-#include "app/session/live_source.h"
 #include "app/session/session_listeners.h"
+#include "app/toml/config_folder.h"
 #include "cave/frame/bodies.h"
 #include "engine/random_world.h"
 #include "log_lines.h"

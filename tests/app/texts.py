@@ -19,15 +19,16 @@ root = pathlib.Path(sys.argv[1])
 CATALOGUE = "cave/texts/catalogue"
 # The sources of the pages of visits, which name the texts of the group "page".
 PAGES = "app/page/pages"
-SCANNED = ["app/classroom", "app/console", "app/hand", "app/input", "app/operator", "app/play", "app/report", "app/session", "app/viewer",
-           "cave/display", "cave/overlay", "cave/render", "cave/spectator"]
-# Rows of this room name texts for the others.
+SCANNED = ["app/class_server", "app/classroom", "app/console", "app/console_parts", "app/hand", "app/input", "app/live", "app/operator", "app/play",
+           "app/replay", "app/report", "app/session", "app/viewer", "cave/bodies", "cave/display", "cave/hud", "cave/marks", "cave/overlay",
+           "cave/patterns", "cave/render", "cave/sculpture", "cave/spectator"]
+# Rows of this module name texts for the others.
 NAMING = ["cave/record"]
-# With these headers a room shows texts: on walls, in windows, as messages.
-SHOWING = ["imgui.h", "cave/gl/gui.h", "cave/gl/glyph_bitmap.h", "cave/overlay/panel_picture.h", "app/session/status_message.h"]
+# With these headers a module shows texts: on walls, in windows, as messages.
+SHOWING = ["imgui.h", "cave/gl/gui.h", "cave/gl/glyph_bitmap.h", "cave/hud/panel_picture.h", "app/live/status_message.h"]
 MAKES_LETTERS = ["cave/gl"]
 # Ask which letters the fonts have, or which ones windows need, and show none.
-ASKS_FOR_LETTERS = ["app/tools/check_translation.cpp", "app/stage/shared_languages.cpp"]
+ASKS_FOR_LETTERS = ["app/file_tools/check_translation.cpp", "app/stage/shared_languages.cpp"]
 NOT_SHOWN = {
     # messages of the command line and of the log stand beside the code whose facts they name
     "note", "warn", "runtime_error", "invalid_argument",
@@ -38,14 +39,14 @@ NOT_SHOWN = {
 }
 OWN_WORDS = {
     "app/play/hand_force.cpp": "notes of a session file about force devices",
-    "app/classroom/class_address.cpp": "messages of the command line about addresses",
+    "app/class_server/class_address.cpp": "messages of the command line about addresses",
     "app/classroom/class_flow.h": "names of the teacher's steps, as pages send them",
-    "app/classroom/class_pages.cpp": "names in pages and signs of HTML",
-    "app/classroom/class_connection.cpp": "names of HTTP, and paths of pages",
-    "app/classroom/class_host.h": "names of HTTP",
-    "app/classroom/class_host.cpp": "paths of pages, and messages of the command line",
+    "app/class_server/class_pages.cpp": "names in pages and signs of HTML",
+    "app/class_server/class_connection.cpp": "names of HTTP, and paths of pages",
+    "app/class_server/class_host.h": "names of HTTP",
+    "app/class_server/class_host.cpp": "paths of pages, and messages of the command line",
     "app/classroom/classroom_messages.cpp": "keys of the messages to pages",
-    "app/classroom/study_desk.cpp": "the path of a page",
+    "app/class_server/study_desk.cpp": "the path of a page",
     "app/classroom/phone_message.cpp": "keys of the messages of pages",
     "app/hand/hand_input.h": "names of devices, by which the program tells them apart",
     "app/input/keyboard_layout.cpp": "keys of a US keyboard",
@@ -61,9 +62,9 @@ OWN_WORDS = {
     "cave/display/monitors.cpp": "messages of the command line about monitors",
     "cave/display/wall_window.cpp": "names of X11",
     "cave/display/window.cpp": "messages of the command line about windows",
-    "cave/render/body_program.h": "names in a shader",
-    "cave/render/body_shaders.cpp": "source of a shader",
-    "cave/render/mark_buffer.cpp": "a line of a shader",
+    "cave/bodies/body_program.h": "names in a shader",
+    "cave/bodies/body_shaders.cpp": "source of a shader",
+    "cave/marks/mark_buffer.cpp": "a line of a shader",
     "cave/spectator/solid_drawer.cpp": "names in a shader",
     "app/viewer/hand_tracking.cpp": "messages of the log about trackers",
     "app/viewer/head_tracking.cpp": "messages of the log about trackers",
@@ -115,9 +116,9 @@ ENGLISH = {
     "app/operator/command.cpp": "the values of commands in a session file",
     "app/operator/lesson.cpp": "the answers in a session file",
     "app/play/hand_force.cpp": "the notes of a session file",
-    "app/session/announcements.cpp": "the notes of a session file",
+    "app/live/announcements.cpp": "the notes of a session file",
     "app/session/director.cpp": "the answers in a session file",
-    "app/session/linked_room.cpp": "how long a message is in the record",
+    "app/live/linked_room.cpp": "how long a message is in the record",
 }
 
 needed = set()
@@ -160,7 +161,7 @@ for unused in sorted((NOT_SHOWN | LITERALS | set(OWN_WORDS)) - needed):
     fail(f"{unused} is excepted, but there is nothing to except")
 
 ROW = re.compile(r'(?m)^(TEXT|PLURAL|TEXTS)\((\w+),((?:\s*"(?:[^"\\\n]|\\.)*"\s*,?)+)\)$')
-sources = "\n".join(file.read_text() for room in SCANNED + NAMING + ["app/page", "app/commands", "app/hand"]
+sources = "\n".join(file.read_text() for room in SCANNED + NAMING + ["app/page", "app/commands", "app/output_commands", "app/room_commands", "app/hand"]
                     for file in (root / room).glob("*.*"))
 scripts = "\n".join(file.read_text() for file in (root / PAGES).glob("*.js"))
 html = (root / PAGES / "visit.html").read_text()

@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "cave/bodies/seen_rows.h"
 #include "cave/frame/bodies.h"
 #include "cave/frame/hall.h"
 #include "cave/gl/gl_objects.h"
 #include "cave/mesh/mesh_builder.h"
-#include "cave/render/seen_rows.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/light/mesh_emission.h"

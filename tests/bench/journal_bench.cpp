@@ -9,9 +9,9 @@
 #include <random>
 #include <thread>
 
-#include "app/files/scenario.h"
 #include "app/journal/journal.h"
 #include "app/journal/session_file.h"
+#include "app/scenario/scenario.h"
 #include "engine/billiard/billiard.h"
 #include "engine/spacetime/observers.h"
 #include "places.h"

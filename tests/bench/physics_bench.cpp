@@ -3,10 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/billiard/billiard.h"
-#include "engine/billiard/setup_check.h"
-#include "engine/collision/corner_contact.h"
 #include "engine/collision/rim_friction.h"
+#include "engine/game/setup_check.h"
 #include "engine/gas.h"
+#include "engine/polygons/corner_contact.h"
 #include "engine/random_world.h"
 #include "engine/soft/soft_play.h"
 #include "resident_bytes.h"

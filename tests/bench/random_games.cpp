@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/files/scenario.h"
+#include "app/scenario/scenario.h"
 #include "engine/game_invariants.h"
 #include "engine/game_shrinker.h"
 #include "engine/random_game.h"

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 #include "cave/room/wall.h"
 #include "cave/scene/puck_model.h"
 #include "cave/scene/scene.h"

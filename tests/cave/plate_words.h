@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cave/render/mark_buffer.h"
+#include "cave/marks/mark_buffer.h"
 
 namespace carom::test {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "cave/frame/bodies.h"
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/wall.h"
 #include "cave/scene/scene.h"

@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
+#include "cave/bodies/seen_rows.h"
 #include "cave/frame/bodies.h"
 #include "cave/record/frame_state.h"
-#include "cave/render/seen_rows.h"
 #include "engine/billiard/billiard.h"
-#include "engine/billiard/soft_puck_mesh.h"
+#include "engine/game/soft_puck_mesh.h"
 #include "engine/soft/soft_play.h"
 
 namespace carom::test {

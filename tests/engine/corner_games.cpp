@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 
 #include "engine/billiard/collision_scheduler.h"
-#include "engine/billiard/setup_check.h"
-#include "engine/collision/corner_contact.h"
-#include "engine/collision/corner_kick.h"
+#include "engine/game/setup_check.h"
+#include "engine/polygons/corner_contact.h"
+#include "engine/polygons/corner_kick.h"
 #include "engine/sampled_body.h"
 
 namespace carom::test {

@@ -19,10 +19,10 @@
 #include <glm/geometric.hpp>
 
 #include "engine/billiard/billiard.h"
-#include "engine/collision/moving_shape.h"
-#include "engine/collision/outline.h"
 #include "engine/collision/spinning_body.h"
 #include "engine/corner_games.h"
+#include "engine/polygons/moving_shape.h"
+#include "engine/polygons/outline.h"
 
 namespace carom::test {
 

@@ -8,7 +8,7 @@
 #include "app/calibration/tip_fit.h"
 #include "devices/calibration/rests.h"
 #include "devices/tracker/trace.h"
-#include "engine/base/input_error.h"
+#include "engine/text/input_error.h"
 #include "fuzz/expect.h"
 
 using carom::test::expect;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cave/outlines/footprint.h"
-#include "engine/collision/outline.h"
+#include "engine/polygons/outline.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -8,7 +8,7 @@
 
 #include "devices/force/force_loop.h"
 #include "devices/force/recorded_hand.h"
-#include "engine/base/input_error.h"
+#include "engine/text/input_error.h"
 #include "fuzz/expect.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include "cave/mesh_files/measured.h"
 #include "cave/mesh_files/screen_file.h"
 #include "cave/mesh_files/vwf_file.h"
-#include "cave/mesh_files/warp_formats.h"
+#include "cave/warps/warp_formats.h"
 #include "fuzz/expect.h"
 
 namespace carom {

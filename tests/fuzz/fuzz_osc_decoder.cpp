@@ -1,6 +1,6 @@
 // Datagrams of anything, as of a sender of Open Sound Control.
 
-#include "devices/protocol/osc_decoder.h"
+#include "devices/osc/osc_decoder.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/base/plain_words.h"
+#include "engine/text/plain_words.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

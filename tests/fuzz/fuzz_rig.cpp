@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/files/rig.h"
-#include "engine/base/input_error.h"
+#include "app/rig/rig.h"
+#include "engine/text/input_error.h"
 #include "fuzz/expect.h"
 #include "fuzz/file_of.h"
 

@@ -1,7 +1,7 @@
 // Scenario files of anything.
 
-#include "app/files/scenario.h"
-#include "engine/base/input_error.h"
+#include "app/scenario/scenario.h"
+#include "engine/text/input_error.h"
 #include "fuzz/file_of.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

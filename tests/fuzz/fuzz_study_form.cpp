@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/study/study_code.h"
-#include "app/study/study_columns.h"
-#include "engine/base/plain_words.h"
+#include "app/study_data/study_columns.h"
+#include "engine/text/plain_words.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "devices/tracker/trace.h"
-#include "engine/base/input_error.h"
+#include "engine/text/input_error.h"
 #include "fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

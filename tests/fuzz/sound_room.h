@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/room_import/room_check.h"
+#include "app/room_checks/room_check.h"
 #include "cave/screen/curved_screen.h"
 #include "fuzz/expect.h"
 

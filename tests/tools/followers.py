@@ -26,7 +26,7 @@ import urllib.parse
 carom, config = sys.argv[1], pathlib.Path(sys.argv[2])
 PHONES, TURNS = (int(sys.argv[i]) if len(sys.argv) > i else usual for i, usual in ((3, 30), (4, 6)))
 TURN_S, SETTLE_S = 10.0, 2.0
-SERVER_NICE = 10  # app/classroom/class_host.cpp
+SERVER_NICE = 10  # app/class_server/class_host.cpp
 
 
 class Phones:

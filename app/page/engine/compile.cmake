@@ -22,7 +22,8 @@ function(carom_page_engine out)
     ${PROJECT_SOURCE_DIR}/app/page/engine/*.cpp ${PROJECT_SOURCE_DIR}/engine/base/portable_math.cpp
     ${PROJECT_SOURCE_DIR}/engine/spacetime/*.cpp ${PROJECT_SOURCE_DIR}/engine/light/*.cpp
     ${PROJECT_SOURCE_DIR}/engine/colour/*.cpp ${PROJECT_SOURCE_DIR}/engine/collision/*.cpp
-    ${PROJECT_SOURCE_DIR}/engine/soft/*.cpp ${PROJECT_SOURCE_DIR}/engine/billiard/*.cpp)
+    ${PROJECT_SOURCE_DIR}/engine/polygons/*.cpp ${PROJECT_SOURCE_DIR}/engine/soft/*.cpp
+    ${PROJECT_SOURCE_DIR}/engine/game/*.cpp ${PROJECT_SOURCE_DIR}/engine/impact/*.cpp ${PROJECT_SOURCE_DIR}/engine/billiard/*.cpp)
   # page_runtime.cpp has what stands in for these.
   list(FILTER sources EXCLUDE REGEX "/engine/billiard/soft_(game|ahead)\\.cpp$")
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/wasm)

@@ -1,4 +1,4 @@
-// The picture: the program's own shaders (cave/render/shaders) in WebGL 2, over legs that the engine prepares.
+// The picture: the program's own shaders (cave/bodies/shaders) in WebGL 2, over legs that the engine prepares.
 const kLegFloats = 68, kLegsInRow = 60;
 const kLegs = { rest: 0, one: 1, oneSpinning: 2, aroundTurn: 3, many: 4, manySpinning: 5 };
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "app/classroom/class_address.h"
+#include "app/class_server/class_address.h"
 
 namespace carom {
 namespace {

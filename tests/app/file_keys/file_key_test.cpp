@@ -1,140 +1,39 @@
-// The readers against the declarations of keys: a file that has every declared table, and in each a key that
-// is not declared. Of such a key the reader says which keys it would have read there; of others, that they
-// are missing.
+// The declarations of keys: their ranges in words, what is found by its name, and the keys of playlists.
 #include "app/file_keys/file_key.h"
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <set>
-#include <sstream>
+#include <limits>
 
+#include "app/file_keys/declared_keys.h"
 #include "app/file_keys/playlist_keys.h"
-#include "app/file_keys/rig_keys.h"
-#include "app/file_keys/scenario_keys.h"
-#include "app/file_keys/study_keys.h"
-#include "app/files/input_file.h"
-#include "app/files/playlist.h"
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
-#include "app/study/study.h"
-#include "app/temporary_folder.h"
+#include "app/scenario/playlist.h"
 
 namespace carom {
 namespace {
 
-using test::TemporaryFolder;
-
-using Names = std::set<std::string>;
-
-/// A file as far as it says something of keys.
-struct Variant {
-  Names leftOut{};                            ///< tables, such as "wall.window"
-  std::map<std::string, std::string> more{};  ///< lines of a table
-};
-
-/// The text of a file, and in which line each of its tables begins.
-struct Skeleton {
-  std::string text;
-  std::map<int, std::string> tables{};
-  int line = 1;
-
-  void add(const std::string& words) {
-    text += words + "\n";
-    ++line;
-  }
-  void add(const FileKey& table, const std::string& path, const Variant& variant) {
-    tables[line] = path;
-    if (!path.empty()) add(table.type == FileKey::Type::table ? "[" + path + "]" : "[[" + path + "]]");
-    add("qqqqqqqq = 1");
-    if (const auto more = variant.more.find(path); more != variant.more.end()) add(more->second);
-    for (const FileKey& key : table.keys) {
-      const std::string inner = path.empty() ? key.name : path + "." + key.name;
-      if (key.keys.empty() || variant.leftOut.contains(inner)) continue;
-      add(key, inner, variant);
-      if (!key.notInFirst.empty()) add(key, inner, variant);
-    }
-  }
-};
-
-/// What the reader says of each table: the keys that it reads, and all other faults.
-struct Said {
-  std::map<std::string, Names> read;
-  std::map<std::string, std::string> faults;
-};
-
-template <class Read>
-void readSkeleton(const FileKey& file, const Variant& variant, const Read& read, Said& said) {
-  Skeleton skeleton;
-  skeleton.add(file, "", variant);
-  const TemporaryFolder folder;
-  try {
-    read(folder.file("given.toml", skeleton.text));
-    FAIL() << "a file of unknown keys was read";
-  } catch (const InputErrors& errors) {
-    for (const InputError& fault : errors.faults()) {
-      const std::string& table = std::prev(skeleton.tables.upper_bound(fault.line()))->second;
-      const std::string words = fault.message(), beginning = "unknown key 'qqqqqqqq', expected one of ";
-      if (!words.starts_with(beginning)) {
-        said.faults[table] += words + "\n";
-        continue;
-      }
-      std::istringstream keys(words.substr(beginning.size()));
-      for (std::string key; keys >> key;) said.read[table].insert(key.substr(0, key.find(',')));
-    }
-  }
-}
-
-void compare(const FileKey& table, const std::string& path, const Said& said) {
-  Names declared;
-  for (const FileKey& key : table.keys) {
-    declared.insert(key.name);
-    const std::string inner = path.empty() ? key.name : path + "." + key.name;
-    if (!key.keys.empty()) compare(key, inner, said);
-    EXPECT_FALSE(key.sentence.empty()) << inner;
-    if (!key.isRequired || !key.keys.empty()) continue;
-    const auto faults = said.faults.find(path);
-    EXPECT_TRUE(faults != said.faults.end() && faults->second.find(key.name + " ") != std::string::npos)
-        << inner << " is declared as required, but is not missing";
-  }
-  const auto read = said.read.find(path);
-  ASSERT_NE(read, said.read.end()) << "no reader opens the table [" << path << "]";
-  EXPECT_EQ(read->second, declared) << "in the table [" << path << "]";
-}
-
-template <class Read>
-void compare(const FileKey& file, const Read& read, const std::vector<Variant>& variants) {
-  Said said;
-  for (const Variant& variant : variants) readSkeleton(file, variant, read, said);
-  compare(file, "", said);
-}
+using namespace declare;
+using test::compare;
 
 TEST(FileKey, ReaderOfPlaylistsReadsTheDeclaredKeys) { compare(playlistKeys(), readPlaylist, {{}}); }
 
-TEST(FileKey, ReadersOfStudiesReadTheDeclaredKeys) {
-  compare(studyKeys(), [](const std::filesystem::path& file) { readStudy(file); }, {{}});
-  compare(itemBankKeys(), [](const std::filesystem::path& file) { readItemBank(file); }, {{}});
+TEST(FileKey, RangesHoldTheirEndsUnlessTheySayOtherwise) {
+  const Range closed{.least = -1.0, .most = 2.0}, open{.least = -1.0, .most = 2.0, .above = true};
+  EXPECT_TRUE(within(closed, -1.0) && within(closed, 2.0) && within(open, 2.0));
+  EXPECT_FALSE(within(open, -1.0));
+  EXPECT_FALSE(within(closed, -1.001) || within(closed, 2.001));
+  EXPECT_FALSE(within(closed, std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_FALSE(within(Range{}, std::numeric_limits<double>::infinity()));
 }
 
-TEST(FileKey, ReaderOfRigsReadsTheDeclaredKeys) {
-  const std::string osc = "kind = 'osc'", dome = "shape = 'dome'", grid = "shape = 'grid'",
-                    wand = "tracker = 'wand'";
-  const Variant forOne{.leftOut = {"headset", "viewer", "wall.screen", "wall.sky"},
-                       .more = {{"tracker", osc}, {"hand", wand}}},
-      forSeveral{.leftOut = {"headset", "head", "hand", "wall.screen", "wall.sky"},
-                 .more = {{"viewer.hand", wand}}},
-      ofHeadset{.leftOut = {"head", "hand", "viewer", "tracker", "wall", "node"}},
-      ofCylinder{.leftOut = {"headset", "viewer"}}, ofSky{.leftOut = {"headset", "viewer", "wall.screen"}},
-      ofDome{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", dome}}},
-      ofGrid{.leftOut = {"headset", "viewer"}, .more = {{"wall.screen", grid}}};
-  const auto read = [](const std::filesystem::path& file) { readRig(file); };
-  compare(rigKeys(), read, {forOne, forSeveral, ofHeadset, ofCylinder, ofDome, ofGrid, ofSky});
-}
-
-TEST(FileKey, ReaderOfScenariosReadsTheDeclaredKeys) {
-  const Variant seenClock{.leftOut = {}, .more = {{"lesson.stopwatch", "clock = 'seen'"}}};
-  const auto read = [](const std::filesystem::path& file) { readScenario(file); };
-  compare(scenarioKeys(), read, {{}, seenClock});
+TEST(FileKey, IsFoundByItsName) {
+  const FileKey file = table("file", "", {number("a", kShare, "", 0.5), tables("b", "", {flag("c", "")})});
+  ASSERT_NE(findKey(file, "b"), nullptr);
+  EXPECT_EQ(findKey(file, "b")->type, FileKey::Type::tables);
+  EXPECT_EQ(findKey(file, "c"), nullptr) << "it is of another table";
+  EXPECT_EQ(findKey(*findKey(file, "b"), "c")->fallback, std::vector<double>{0.0});
+  EXPECT_EQ(findKey(file, ""), nullptr);
+  EXPECT_TRUE(required(file.keys[0]).isRequired);
 }
 
 }  // namespace

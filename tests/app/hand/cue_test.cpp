@@ -9,7 +9,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "engine/base/limits.h"
 #include "engine/random_world.h"
 

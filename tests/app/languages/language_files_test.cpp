@@ -1,30 +1,20 @@
-// Languages from their files, and what can be translated in a scenario.
+// Languages from their files.
 #include "app/languages/language_files.h"
 
 #include <gtest/gtest.h>
 
-#include <set>
 #include <string>
 
-#include "app/languages/po_template.h"
-#include "app/languages/scenario_texts.h"
+#include "app/languages/po_text.h"
 #include "app/temporary_folder.h"
-#include "cave/texts/numbered_name.h"
 
 namespace carom {
 namespace {
 
+using test::entry;
+using test::headOf;
+using test::kMine;
 using test::TemporaryFolder;
-
-std::string headOf(const std::string& language) {
-  return "msgid \"\"\nmsgstr \"\"\n\"Language: " + language +
-         "\\n\"\n\"Content-Type: text/plain; charset=UTF-8\\n\"\n\n";
-}
-
-std::string entry(const std::string& name, const std::string& english, const std::string& words) {
-  return "msgctxt " + quotedPo(name) + "\nmsgid " + quotedPo(english) + "\nmsgstr " + quotedPo(words) +
-         "\n\n";
-}
 
 /// A text of the catalogue without values, keys or plural.
 const texts::Entry& plainText() {
@@ -42,94 +32,6 @@ std::string refusalOf(const std::string& given, const LetterFonts& fonts = {}) {
     return error.what();
   }
   return "taken";
-}
-
-const std::string kMine =
-    "title = \"My game\"\nlight_speed_m_s = 1.4\n\n[[puck]]\nname = \"left 1\"\n\n[[puck]]\nname = \"left "
-    "2\"\n\n"
-    "[[puck]]\nname = \"B\"\n\n[[flash]]\nname = \"a lamp\"\n\n[[caption]]\ntext = \"Look\"\nhand_text = "
-    "\"Point\"\n\n"
-    "[lesson]\nquestion = \"Which?\"\nanswers = [\"This\", \"That\"]\ntodo = \"Do\"\nnotice = "
-    "\"See\"\nnumber = \"So\"\n\n"
-    "[[lesson.observer]]\nname = \"at rest\"\n\n[[lesson.stopwatch]]\nname = \"Seen\"\n\n"
-    "[[task]]\nname = \"First\"\ntext = \"Hit it\"\n";
-
-TEST(ScenarioTexts, EachTextThatIsReadHasItsNameAndPlace) {
-  const TemporaryFolder folder;
-  std::string all;
-  for (const SourceText& text : scenarioTexts(folder.file("mine.toml", kMine)))
-    all += text.context + " = " + text.english + " (" + text.reference + ")\n";
-  EXPECT_EQ(all,
-            "mine.toml title = My game (mine.toml:1)\n"
-            "mine.toml name left = left (mine.toml:5)\n"
-            "mine.toml name a lamp = a lamp (mine.toml:14)\n"
-            "mine.toml caption 1 text = Look (mine.toml:17)\n"
-            "mine.toml caption 1 hand_text = Point (mine.toml:18)\n"
-            "mine.toml lesson question = Which? (mine.toml:21)\n"
-            "mine.toml lesson answer 1 = This (mine.toml:22)\n"
-            "mine.toml lesson answer 2 = That (mine.toml:22)\n"
-            "mine.toml lesson todo = Do (mine.toml:23)\n"
-            "mine.toml lesson notice = See (mine.toml:24)\n"
-            "mine.toml lesson number = So (mine.toml:25)\n"
-            "mine.toml lesson observer 1 name = at rest (mine.toml:28)\n"
-            "mine.toml lesson stopwatch 1 name = Seen (mine.toml:31)\n"
-            "mine.toml task 1 name = First (mine.toml:34)\n"
-            "mine.toml task 1 text = Hit it (mine.toml:35)\n");
-  EXPECT_EQ(texts::nameWithoutNumber("left 12"), "left");
-  EXPECT_EQ(texts::nameWithoutNumber("struck fast"), "struck fast");
-  EXPECT_EQ(texts::nameWithoutNumber("17"), "");
-}
-
-TEST(ScenarioTexts, NoTwoShippedTextsHaveOneName) {
-  const std::vector<SourceText> all = shippedScenarioTexts();
-  std::set<std::string> names;
-  for (const SourceText& text : all) EXPECT_TRUE(names.insert(text.context).second) << text.context;
-  EXPECT_GT(all.size(), 400U);
-  EXPECT_TRUE(names.contains("welcome.toml caption 2 text"));
-  EXPECT_TRUE(names.contains("angles.toml name slow"));
-}
-
-TEST(PoTemplate, TheSameTextsGiveTheSameBytesWithAllNames) {
-  const std::vector<SourceText> sources = sourceTexts(texts::catalogue());
-  const std::string text = textOf(templateOf(sources));
-  EXPECT_EQ(text, textOf(templateOf(sourceTexts(texts::catalogue()))));
-  const PoFile read = parsePo("carom.pot", text);
-  ASSERT_EQ(read.entries.size(), sources.size());
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    EXPECT_EQ(read.entries[i].context.value().words, sources[i].context);
-    EXPECT_EQ(read.entries[i].id.words, sources[i].english);
-    EXPECT_FALSE(read.entries[i].isTranslated());
-  }
-}
-
-SourceText source(const std::string& name, const std::string& english, const std::string& plural = {}) {
-  return {.context = name, .english = english, .plural = plural, .note = "Seen.", .reference = {}};
-}
-
-TEST(PoTemplate, AnUpdateKeepsTranslationsAndMarksWhatHasChanged) {
-  const PoFile old =
-      parsePo("a.po", headOf("fr") + "# Of the translator.\n#. Old note.\n" + entry("a", "same", "pareil") +
-                          entry("b", "before", "avant") + entry("c 1", "moves", "bouge") +
-                          entry("d", "goes", "part") + entry("e", "untranslated before", "") +
-                          "#~ msgctxt \"f\"\n#~ msgid \"back\"\n#~ msgstr \"retour\"\n");
-  const UpdatedPo now =
-      updated(old, std::vector{source("a", "same"), source("b", "after"), source("c 1", "new"),
-                               source("c 2", "moves"), source("e", "untranslated"), source("f", "back"),
-                               source("g", "one", "many")});
-  EXPECT_EQ(
-      textOf(now.file),
-      headOf("fr") +
-          "# Of the translator.\n#. Seen.\nmsgctxt \"a\"\nmsgid \"same\"\nmsgstr \"pareil\"\n\n"
-          "#. Seen.\n#, fuzzy\n#| msgid \"before\"\nmsgctxt \"b\"\nmsgid \"after\"\nmsgstr \"avant\"\n\n"
-          "#. Seen.\nmsgctxt \"c 1\"\nmsgid \"new\"\nmsgstr \"\"\n\n"
-          "#. Seen.\nmsgctxt \"c 2\"\nmsgid \"moves\"\nmsgstr \"bouge\"\n\n"
-          "#. Seen.\nmsgctxt \"e\"\nmsgid \"untranslated\"\nmsgstr \"\"\n\n"
-          "#. Seen.\nmsgctxt \"f\"\nmsgid \"back\"\nmsgstr \"retour\"\n\n"
-          "#. Seen.\nmsgctxt \"g\"\nmsgid \"one\"\nmsgid_plural \"many\"\nmsgstr[0] \"\"\nmsgstr[1] \"\"\n\n"
-          "#~ msgctxt \"d\"\n#~ msgid \"goes\"\n#~ msgstr \"part\"\n");
-  EXPECT_EQ(now.added, 2U);
-  EXPECT_EQ(now.changed, 1U);
-  EXPECT_EQ(now.gone, 1U);
 }
 
 TEST(LanguageFiles, WhatIsNoLanguageIsOneSentence) {

@@ -1,50 +1,22 @@
 // Each rule of a translation, with a file that breaks it.
 #include "app/languages/translation_rules.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
-#include <utility>
 
-#include "app/languages/letters.h"
-#include "app/languages/text_values.h"
+#include "app/languages/judged_text.h"
 #include "app/temporary_folder.h"
-#include "engine/base/code_points.h"
+#include "engine/text/code_points.h"
 
 namespace carom {
 namespace {
 
+using test::headOf;
+using test::rulesOf;
+using test::said;
+using test::saidOf;
 using test::TemporaryFolder;
-
-std::string headOf(const std::string& language, const std::string& plurals = "nplurals=2; plural=(n != 1);",
-                   const std::string& charset = "UTF-8") {
-  return "msgid \"\"\nmsgstr \"\"\n\"Language: " + language +
-         "\\n\"\n\"Content-Type: text/plain; charset=" + charset + "\\n\"\n\"Plural-Forms: " + plurals +
-         "\\n\"\n\n";
-}
-
-/// Returns what the rules say of a content, a line each: "E 9: …" for an error in line 9, "W 9: …".
-std::string said(const std::string& content, const TranslationRules& rules) {
-  std::string all;
-  for (const Finding& finding : judge(parsePo("a.po", content), rules).findings)
-    all += fmt::format("{} {}: {}\n", finding.kind == Finding::Kind::error ? 'E' : 'W', finding.at.line,
-                       finding.text);
-  return all;
-}
-
-TranslationRules rulesOf(std::vector<SourceText> sources) {
-  return {.code = "de", .sources = std::move(sources)};
-}
-
-/// Returns what is said of one translation; its msgstr stands on line 9.
-std::string saidOf(const std::string& english, const std::string& german,
-                   TranslationRules rules = rulesOf({})) {
-  rules.sources = {{.context = "a.b", .english = english, .plural = {}, .note = {}, .reference = {}}};
-  return said(
-      headOf("de") + "msgctxt \"a.b\"\nmsgid " + quotedPo(english) + "\nmsgstr " + quotedPo(german) + "\n",
-      rules);
-}
 
 TEST(TranslationRules, AGoodTranslationHasNoFinding) {
   const SourceText stroke{.context = "message.kStroke",
@@ -103,17 +75,6 @@ TEST(TranslationRules, KeysAreThoseOfTheEnglish) {
             "E 9: text 'a.b' names the keys none, expected H as in English\n");
 }
 
-TEST(TranslationRules, KeysStandAlone) {
-  using Keys = std::set<std::string>;
-  EXPECT_EQ(keysOf("L’observateur, l'anneau de A, A's ring, B’s", false).sure, (Keys{"A", "B"}));
-  EXPECT_EQ(keysOf("Aのリングが、F12で見えます。", false).sure, (Keys{"A", "F12"}));
-  EXPECT_EQ(keysOf("γβL/c, 3D, F123, km², Å, Ä, CAVE, {:.2F} J", false).sure, Keys{"J"});
-  EXPECT_EQ(keysOf("Y a-t-il un palet ?", false).sure, Keys());
-  EXPECT_EQ(keysOf("Y a-t-il un palet ?", false).all, Keys{"Y"});
-  EXPECT_EQ(keysOf("A puck: H lists, I steer", true).sure, Keys{"H"});
-  EXPECT_EQ(keysOf("F{} F5", false).sure, (Keys{"F", "F5"}));
-}
-
 TEST(TranslationRules, SignsThatShowNothingOrAreNotDrawnYetAreErrors) {
   EXPECT_NE(saidOf("light", "Li\ncht").find("E 9: text 'a.b' has the control sign U+000A"),
             std::string::npos);
@@ -159,28 +120,6 @@ TEST(TranslationRules, WordsThatAreNotTranslatedAreNamed) {
   rules.glossary = Glossary::read(folder.file("glossary.txt", "position = position\n"));
   EXPECT_EQ(saidOf("Position {}", "Position {}", rules), "");
   EXPECT_NE(saidOf("Position here {}", "Position here {}", rules), "");
-}
-
-TEST(TranslationRules, TheGlossarysWordIsAsked) {
-  const TemporaryFolder folder;
-  TranslationRules rules = rulesOf({});
-  rules.glossary = Glossary::read(folder.file(
-      "glossary.txt",
-      "# terms\nframe = Bezugssystem | Bild\nrest frame = Ruhesystem | Ruhe, ruhend\npuck = Scheibe\r\n\n"));
-  EXPECT_EQ(saidOf("The pucks move", "Die Scheiben fahren", rules), "");
-  EXPECT_EQ(saidOf("The pucks move", "Die Steine fahren", rules),
-            "W 9: text 'a.b' has none of the words of 'puck = Scheibe', which the glossary asks for\n");
-  EXPECT_EQ(saidOf("in its rest frame", "im Ruhesystem", rules), "");
-  EXPECT_EQ(saidOf("in its rest frame", "für das ruhende System", rules), "");
-  EXPECT_EQ(saidOf("In 30 Frames", "in 30 BILDERN", rules), "");
-  EXPECT_EQ(saidOf("framed", "gerahmt", rules), "");
-  EXPECT_EQ(saidOf("it rests frame by frame", "Bild", rules), "");
-  EXPECT_NE(saidOf("in their rest frames", "Bild", rules), "");
-  EXPECT_EQ(saidOf("at rest {} frame", "in Ruhe {} Bild", rules), "");
-  EXPECT_NE(saidOf("its rest: frame", "Rest: x", rules).find("'frame = Bezugssystem'"), std::string::npos);
-  EXPECT_THROW(Glossary::read(folder.file("bad.txt", "frame\n")), InputErrors);
-  EXPECT_THROW(Glossary::read(folder.file("bad.txt", "= Bild\n")), InputErrors);
-  EXPECT_TRUE(Glossary::beside(folder / "none/a.po").terms().empty());
 }
 
 TEST(TranslationRules, PluralsHaveTheLanguagesForms) {

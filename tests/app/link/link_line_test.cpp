@@ -2,16 +2,15 @@
 #include "app/link/link_line.h"
 
 #include <gtest/gtest.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <functional>
-#include <random>
 #include <thread>
 
-#include "app/link/line_connection.h"
 #include "app/link/link_socket.h"
+#include "app/link/quick_line.h"
 #include "app/link/sample_messages.h"
 #include "app/link/tls_stream.h"
 #include "log_lines.h"
@@ -20,20 +19,6 @@ namespace carom::test {
 namespace {
 
 using std::chrono::milliseconds;
-
-LinkKey key() { return LinkKey::of("0000-0000-0000-0000-0000-0000-0000"); }
-
-LinkLimits quick() {
-  LinkLimits limits;
-  limits.handshake = milliseconds(400);
-  limits.callAgain = milliseconds(50);
-  limits.silence = limits.listening = milliseconds(500);
-  limits.unknown = milliseconds(20000);
-  limits.unproven = 1000;
-  limits.calls_1_s = 1000.0;
-  limits.pings_1_s = 20.0;
-  return limits;
-}
 
 /// A line and what has come on it.
 struct End {
@@ -73,15 +58,6 @@ struct End {
   std::vector<LineNews> news;
 };
 
-/// Waits for something, for some seconds at most.
-bool comes(const std::function<bool()>& isThere, double most_s = 10.0) {
-  for (int i = 0; i < static_cast<int>(most_s / 0.005); ++i) {
-    if (isThere()) return true;
-    std::this_thread::sleep_for(milliseconds(5));
-  }
-  return isThere();
-}
-
 LinkAddress listening(const char* host = "127.0.0.1") { return {true, host, 0}; }
 LinkAddress to(const LinkLine& line, const char* host = "127.0.0.1") { return {false, host, line.port()}; }
 
@@ -112,12 +88,6 @@ class Stranger {
   TlsEnd end_;
   std::unique_ptr<TlsStream> stream_;
 };
-
-std::vector<std::uint8_t> bytesOf(const LinkMessage& message) {
-  std::vector<std::uint8_t> bytes;
-  append(message, bytes);
-  return bytes;
-}
 
 class LinkLineOver : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Addresses, LinkLineOver, testing::Values("127.0.0.1", "::1"));
@@ -157,39 +127,6 @@ TEST(LinkLine, TheNewestPresentAndEveryStrokeArrive) {
   EXPECT_EQ(joiner.closedWith(), "");
 }
 
-TEST(LineConnection, ANewerPresentTakesThePlaceOfOneThatWasNotSent) {
-  const LinkKey its = key();
-  TlsEnd listens(true, its), calls(false, its);
-  int pair[2];
-  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, pair), 0);
-  const auto now = LinkClock::now();
-  LineConnection sends(1, listens, pair[0], "a test", now), takes(2, calls, pair[1], "a test", now);
-  std::vector<LinkMessage> taken;
-  const auto readBoth = [&] {
-    sends.read(now, [](const LinkMessage&) {});
-    takes.read(now, [&](LinkMessage& message) { taken.push_back(std::move(message)); });
-  };
-  ASSERT_TRUE(comes([&] {
-    readBoth();
-    return sends.isProven() && takes.isProven();
-  }));
-  for (std::uint32_t i = 1; i <= 5; ++i) {
-    LinkPresent present = samplePresent();
-    present.present.number = i;
-    std::vector<std::uint8_t> bytes = bytesOf(present);
-    sends.setPresent(bytes);
-    sends.add(bytesOf(sampleStroke(i)), quick());
-  }
-  sends.write(quick());
-  ASSERT_TRUE(comes([&] {
-    readBoth();
-    return taken.size() >= 6;
-  }));
-  EXPECT_EQ(taken.size(), 6U) << "five strokes and a present";
-  for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(std::get<LinkStroke>(taken[i]).told.number, i + 1);
-  EXPECT_EQ(std::get<LinkPresent>(taken[5]).present.number, 5U);
-}
-
 TEST(LinkLine, TakesNoOtherKey) {
   End host(listening());
   End joiner(to(host.line), LinkKey::random());
@@ -198,40 +135,6 @@ TEST(LinkLine, TakesNoOtherKey) {
   EXPECT_EQ(joiner.newest(), 0U);
   End right(to(host.line));
   EXPECT_TRUE(comes([&] { return right.newest() == 1; }));
-}
-
-// 10⁴ first flights: noise, and true ones with changed bits or cut short. None proves the key.
-TEST(LinkLine, NoBrokenHandshakeProvesTheKey) {
-  const LinkKey its = key();
-  TlsEnd listens(true, its), calls(false, its);
-  std::mt19937 random(1);
-  std::size_t through = 0;
-  for (int i = 0; i < 10000; ++i) {
-    int pair[2], flight[2];
-    ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, pair), 0);
-    std::vector<std::uint8_t> bytes(1 + random() % 600);
-    if (i % 2 == 1) {
-      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
-    } else {
-      ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, flight), 0);
-      TlsStream caller(calls, flight[0]);
-      caller.shakeHands();
-      bytes.resize(2048);
-      const ssize_t size = read(flight[1], bytes.data(), bytes.size());
-      close(flight[1]);
-      bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(1, size)));
-      for (unsigned k = 0; k < 1 + random() % 3; ++k) {
-        std::uint8_t& byte = bytes[random() % bytes.size()];
-        byte = static_cast<std::uint8_t>(byte ^ (1U << random() % 8));
-      }
-      if (random() % 4 == 0) bytes.resize(1 + random() % bytes.size());
-    }
-    TlsStream called(listens, pair[0]);
-    ASSERT_GT(write(pair[1], bytes.data(), bytes.size()), 0);
-    for (int turn = 0; turn < 3; ++turn) through += called.shakeHands() == TlsStream::State::open ? 1 : 0;
-    close(pair[1]);
-  }
-  EXPECT_EQ(through, 0U);
 }
 
 TEST(LinkLine, WhoSpeaksSomethingElseIsNotLetIn) {

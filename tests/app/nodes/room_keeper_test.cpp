@@ -10,7 +10,7 @@
 #include <random>
 
 #include "app/nodes/room_keeper.h"
-#include "engine/base/log.h"
+#include "engine/text/log.h"
 
 namespace carom {
 namespace {
@@ -132,6 +132,7 @@ TEST(RoomKeeper, GivesUpOnlyOnASessionThatNeverBegan) {
   later.script = {{End::cutOff, 3.0, 60.0}, {End::refused}, {End::refused}};
   EXPECT_EQ(RoomKeeper(later, {"first"}, {}).keep(), 0);
   EXPECT_EQ(later.did, (Did{"all", "all", "waits 5", "all", "waits 15", "all"}));
+  EXPECT_NE(said.lines.find(kNoFirstFrame), std::string::npos) << said.lines;
   MadeUpNodes old;
   old.unfit["left"] = true;
   EXPECT_EQ(RoomKeeper(old, {"first", "left"}, {}).keep(), 1);

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "app/file_keys/lesson_keys.h"
-#include "app/files/toml_file.h"
 #include "app/input_faults.h"
 #include "app/temporary_folder.h"
+#include "app/toml/toml_file.h"
 #include "places.h"
 
 namespace carom {

@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "app/files/scenario.h"
 #include "app/operator/wall_commands.h"
+#include "app/scenario/scenario.h"
 #include "cave/record/effects.h"
 #include "cave/texts/texts.h"
 #include "places.h"

@@ -11,7 +11,7 @@ fail() { echo "FAILED: $*"; status=1; }
 DESTDIR=$work cmake --install "$build" --component program --prefix /usr >"$work/log" || { cat "$work/log"; exit 1; }
 carom=$work/usr/bin/carom
 share=$work/usr/share/carom
-for file in bin/carom lib/carom/libcarom_report.so share/carom/rig.schema.json share/carom/scenario.schema.json share/carom/playlist.schema.json share/carom/study.schema.json share/carom/items.schema.json share/carom/studies/items.toml share/carom/studies/analyse.R share/doc/carom/app/doc/keys-of-rigs.md share/carom/rigs/desk.toml share/carom/traces/walk.csv \
+for file in bin/carom lib/carom/libcarom_report.so lib/carom/libcarom_meshes.so lib/carom/libcarom_pictures.so share/carom/rig.schema.json share/carom/scenario.schema.json share/carom/playlist.schema.json share/carom/study.schema.json share/carom/items.schema.json share/carom/studies/items.toml share/carom/studies/analyse.R share/doc/carom/app/doc/keys-of-rigs.md share/carom/rigs/desk.toml share/carom/traces/walk.csv \
   lib/udev/rules.d/70-carom.rules lib/systemd/user/carom.service lib/systemd/user/carom-room.service share/applications/carom.desktop share/man/man1/carom.1.gz share/doc/carom/copyright share/doc/carom/README.md \
   share/carom/models/train.obj share/carom/walls/xinitrc share/carom/walls/carom-walls@.service; do
   [ -s "$work/usr/$file" ] || fail "$file is not installed"

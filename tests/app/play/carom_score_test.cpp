@@ -11,7 +11,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/files/scenario.h"
+#include "app/scenario/scenario.h"
 #include "engine/billiard/billiard.h"
 #include "engine/random_world.h"
 #include "places.h"

@@ -17,11 +17,11 @@
 #include <set>
 #include <sstream>
 
-#include "app/files/starting_histories.h"
 #include "app/journal/journal.h"
 #include "app/journal/session_file.h"
-#include "app/session/recorded_source.h"
-#include "app/session/replay_visitor_source.h"
+#include "app/replay/recorded_source.h"
+#include "app/replay/replay_visitor_source.h"
+#include "app/scenario/starting_histories.h"
 #include "app/temporary_folder.h"
 #include "app/viewer/viewers.h"
 #include "cave/record/frame_digest.h"

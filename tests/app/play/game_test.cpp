@@ -2,7 +2,7 @@
 // difference.
 
 #include "app/play/game.h"
-#include "app/files/starting_histories.h"
+#include "app/scenario/starting_histories.h"
 #include "engine/spacetime/observers.h"
 
 #include <gtest/gtest.h>

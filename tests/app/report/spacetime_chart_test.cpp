@@ -10,7 +10,7 @@
 
 #include "app/report/chart_file.h"
 #include "app/temporary_folder.h"
-#include "cave/mesh/vtk_messages.h"
+#include "cave/mesh_input/vtk_messages.h"
 #include "engine/billiard/billiard.h"
 #include "log_lines.h"
 #include "places.h"

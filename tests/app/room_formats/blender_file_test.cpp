@@ -1,5 +1,11 @@
+// Rooms of BlenderCAVE and BlenderVR.
 #include "app/room_formats/blender_file.h"
 
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "app/room_formats/blender_room.h"
 #include "app/room_formats/read_room.h"
 
 namespace carom {
@@ -12,44 +18,7 @@ using test::refusalOf;
 using test::roomOf;
 using test::wallOf;
 using test::with;
-
-const std::string kCave = R"(<?xml version="1.0"?>
-<!DOCTYPE ROOM [
-  <!ENTITY rest SYSTEM "rest.xml">
-]>
-<blender_cave name="Two">
- <user name="user A" eye_separation="0.03"><default_position>0, 0, 0</default_position></user>
- <user name="user B" eye_separation="0.066"><default_position>0.5, 0, 0</default_position></user>
- <computer name="pc-0">
-  <screen name="console"><player options="-w 600 600"/><graphic_buffer name="alone" user="user A" eye="middle"/>
-   <corner name="topRightCorner">1, 1, -1</corner><corner name="topLeftCorner">-1, 1, -1</corner>
-   <corner name="bottomRightCorner">1, -1, -1</corner></screen>
- </computer>
- <computer name="pc-1">
-  <screen name="main"><player options="-f -s hwpageflip" display=":0.1"/>
-   <graphic_buffer name="right" user="user A" eye="right"/><graphic_buffer name="left" user="0" eye="left"/>
-   <viewport>420, 0, 1500, 1080</viewport>
-   <corner name="topRightCorner">-2, 1.1, -1.5</corner><corner name="topLeftCorner">-2, 1.1, 1.5</corner>
-   <corner name="bottomRightCorner">-2, -1.6, -1.5</corner></screen>
- </computer>
- <computer name="pc-2">
-  <screen name="main">
-   <graphic_buffer name="right" user="user A" eye="middle"/><graphic_buffer name="left" user="user B" eye="middle"/>
-   <corner name="topRightCorner">2, -1.6, -1.5</corner><corner name="topLeftCorner">-2, -1.6, -1.5</corner>
-   <corner name="bottomRightCorner">2, -1.6, 1.5</corner></screen>
- </computer>
- <vrpn>
-  <tracker name="DTrack" host="tracker-pc">
-   <transformation><translate x="0" y="0" z="-1.6"/><rotate x="1" y="1" z="1" angle="-2.0943951023931953"/></transformation>
-   <sensor id="4" processor_method="user_position" users="user B">
-    <transformation><rotate x="1" y="1" z="1" angle="2.0943951023931953"/></transformation></sensor>
-   <sensor id="0" processor_method="wand"/>
-  </tracker>
-  <button name="FlyStick" host="tracker-pc"/>
- </vrpn>
- &rest;
-</blender_cave>
-)";
+using test::blender::kCave;
 
 TEST(BlenderFile, WallsAreOfThreeCornersAndTheirComputers) {
   const Room room = roomOf("room.xml", kCave);
@@ -89,19 +58,6 @@ TEST(BlenderFile, SmallSeparationsAreOfOneEye) {
   EXPECT_EQ(room.people[0].setup.head.eyeSeparation_m, 0.06);
   EXPECT_EQ(room.people[1].setup.head.eyeSeparation_m, 0.066);
   EXPECT_EQ(findingWith(room, "eye_separation 0.03").at.line, 6);
-}
-
-TEST(BlenderFile, TransformationsOfTrackerAndSensorFollowTheProgram) {
-  const Room room = roomOf("room.xml", kCave);
-  ASSERT_EQ(room.trackers.size(), 1u);
-  EXPECT_EQ(room.trackers[0].source, "DTrack@tcp://tracker-pc");
-  // A third of a turn about the diagonal takes x to z, y to x and z to y: the tracker's z is up.
-  const Pose& tracker = room.trackers[0].roomFromTracker;
-  EXPECT_LT(glm::distance(tracker * glm::dvec3(1, 2, 3), {2, 1.4, 1}), 1e-9);
-  const Person& b = room.people[1];
-  EXPECT_TRUE(b.isTracked);
-  EXPECT_EQ(b.setup.head.sensor.sensor, 4);
-  EXPECT_FALSE(room.people[0].isTracked);
 }
 
 TEST(BlenderFile, NamesWhatItLeavesOut) {

@@ -1,6 +1,12 @@
+// Rooms of SGCT in XML.
 #include "app/room_formats/sgct_xml.h"
 
+#include <gtest/gtest.h>
+
+#include <string>
+
 #include "app/room_formats/read_room.h"
+#include "app/room_formats/sgct_xml_room.h"
 
 namespace carom {
 namespace {
@@ -11,24 +17,7 @@ using test::findingWith;
 using test::refusalOf;
 using test::roomOf;
 using test::with;
-
-std::string plane(const std::string& element, const std::string& x) {
-  return "<" + element + "><Pos x='" + x + "' y='0' z='-2'/><Pos x='" + x +
-         "' y='2' z='-2'/>\n<Pos x='2' y='2' z='-2'/></" + element + ">";
-}
-
-const std::string kRoom =
-    "<Cluster masterAddress='a'>\n"
-    "<Node ip='a' port='1'><Window fullScreen='true' numberOfSamples='4'><Stereo type='Side_By_Side'/>"
-    "<Size x='800' y='400'/><Pos x='5' y='6'/></Window>\n"
-    "<Viewport><Pos x='0' y='0'/><Size x='1' y='1'/>" +  // SGCT 1: beside its window
-    plane("viewplane", "-2") +
-    "</Viewport></Node>\n"
-    "<node address='b'><window><size x='800' y='400'/><viewport eye='Right'><pos x='0.5' y='0'/><size "
-    "x='0.5' y='1'/>" +
-    plane("ProjectionPlane", "0") +
-    "</viewport><Viewport><FisheyeProjection fov='180'/></Viewport></window></node>\n"
-    "<User eyeSeparation='0.067'><Pos x='0' y='1.5' z='3'/></User>\n</Cluster>\n";
+using test::sgct::kRoom;
 
 TEST(SgctXml, BothVersionsAreReadAsTheJson) {
   const Room room = roomOf("room.xml", kRoom);
@@ -61,24 +50,6 @@ TEST(SgctXml, AnglesGiveAPlane) {
       "</Viewport></Window></Node></Cluster>");
   ASSERT_EQ(room.walls.size(), 1u) << allFindings(room);
   expectCorners(room, "right", {2, -2, -2}, {2, -2, 2}, {2, 2, -2});
-}
-
-TEST(SgctXml, TrackersOfTheFirstUserComeOver) {
-  const Room room = roomOf(
-      "room.xml",
-      with(kRoom, "<User eyeSeparation='0.067'>",
-           "<Tracker name='Art'><Offset x='1' y='0' z='0'/><Device name='Glasses'><Sensor "
-           "vrpnAddress='T@host' "
-           "id='3'/><Offset x='0' y='0.1' z='0'/></Device>\n<Device name='Phone'><Sensor "
-           "vrpnAddress='P@host' id='0'/>"
-           "</Device></Tracker><User eyeSeparation='0.067'><Tracking tracker='Art' device='Glasses'/>"));
-  ASSERT_EQ(room.trackers.size(), 1u) << allFindings(room);
-  EXPECT_EQ(room.trackers[0].source, "T@tcp://host");
-  EXPECT_EQ(room.trackers[0].roomFromTracker.position_m, glm::dvec3(1, 0, 0));
-  ASSERT_TRUE(room.people.at(0).isTracked);
-  EXPECT_EQ(room.people[0].setup.head.sensor.sensor, 3);
-  EXPECT_EQ(room.people[0].setup.head.eyesFromSensor.position_m, glm::dvec3(0, -0.1, 0));
-  EXPECT_EQ(findingWith(room, "device 'Phone'").at.line, 8);
 }
 
 TEST(SgctXml, NodesAreComputers) {

@@ -1,36 +1,28 @@
+// Rooms of ParaView: a whole file, and faults with their places.
 #include "app/room_import/pvx_file.h"
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+#include <tuple>
+#include <vector>
+
 #include "app/import_faults.h"
-#include "app/room_import/room_check.h"
-#include "app/temporary_folder.h"
+#include "app/room_checks/room_check.h"
+#include "app/room_import/pvx_text.h"
 #include "places.h"
 
 namespace carom {
 namespace {
 
-using test::TemporaryFolder;
+using test::pvx::changed;
+using test::pvx::kFloor;
+using test::pvx::kGood;
+using test::pvx::machine;
+using test::pvx::PvxFaults;
+using test::pvx::read;
 using Fault = test::ImportFault;
-
-Room read(const std::string& text) {
-  const TemporaryFolder folder;
-  return readPvx(folder.file("room.pvx", text));
-}
-
-std::string machine(const std::string& attributes) {
-  return "<pvx>\n<Machine " + attributes + "/>\n</pvx>\n";
-}
-
-const std::string kFloor =
-    "Name='Floor' Geometry='640x360+740+1560' LowerLeft='-1.13 -0.635 0.05'\n"
-    "  LowerRight='1.13 -0.635 0.05' UpperRight='1.13 -0.635 -1.22'";
-
-std::string changed(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
 
 TEST(PvxFile, ReadsAWall) {
   const Room room =
@@ -62,56 +54,11 @@ TEST(PvxFile, RanksAreThePlacesOfMachines) {
   EXPECT_EQ(room.eyeSeparation_m, 0.06);
 }
 
-class PvxFaults : public ::testing::TestWithParam<Fault> {};
-
 TEST_P(PvxFaults, ArePlacedAndExplained) { test::expectFound(GetParam(), read(GetParam().text)); }
-
-const std::string kGood = machine(kFloor);
 
 INSTANTIATE_TEST_SUITE_P(
     All, PvxFaults,
     ::testing::Values(
-        // The corner at z = 0 instead of 0.05, against an edge of 1.22 m: atan(0.05 / 2.26) = 1.27 degrees.
-        Fault{"junk in the middle corner",
-              changed(kGood, "'1.13 -0.635 0.05'", "'1.13 -0.635  0/05'"),
-              3,
-              28,
-              {"'0/05'", "takes it for 0", "50 mm off", "27 mm (1.27 degrees) out of square"}},
-        // The wall is a rectangle whatever its depth is here: no harm to be told.
-        Fault{"junk in an end",
-              changed(kGood, "0.635 -1.22", "0.635 -1,22"),
-              3,
-              57,
-              {"'-1,22'", "is no number"}},
-        Fault{"junk in another end",
-              changed(kGood, "'-1.13 -0.635 0.05'", "'-1.13 -0.635 O.05'"),
-              2,
-              75,
-              {"'O.05'", "takes it for 0", "50 mm off"}},
-        Fault{"a number too few",
-              changed(kGood, "'1.13 -0.635 0.05'", "'1.13 -0.635'"),
-              3,
-              15,
-              {"has 2 values"}},
-        Fault{"not finite", changed(kGood, "'1.13 -0.635 0.05'", "'1.13 -0.635 nan'"), 3, 27, {"'nan'"}},
-        Fault{"too far",
-              changed(kGood, "'1.13 -0.635 0.05'", "'1.13 -0.635 1e10'"),
-              3,
-              27,
-              {"out of range", "1e+09"}},
-        Fault{"a corner missing",
-              changed(kGood, "LowerRight='1.13 -0.635 0.05'", ""),
-              2,
-              1,
-              {"LowerRight is missing"}},
-        // As once found in the file of a room in use: -1.5 for -1.524.
-        Fault{"askew",
-              machine("Name='LTL' Geometry='2560x1600+0+0' LowerLeft='-1.524 -0.381 1.524'\n"
-                      "LowerRight='-1.524 -0.381 -1.524' UpperRight='-1.524 1.524 -1.5'"),
-              3,
-              47,
-              {"UpperRight of wall 'LTL' misses the right angle at LowerRight by 24.0 mm", "89.28 degrees"}},
-        Fault{"no width", changed(kGood, "'-1.13 -0.635 0.05'", "'1.13 -0.635 0.05'"), 2, 62, {"no width"}},
         Fault{"geometry", changed(kGood, "640x360+740+1560", "640x360"), 2, 33, {"WIDTHxHEIGHT+X+Y"}},
         Fault{"geometry with junk", changed(kGood, "+1560", "+1560px"), 2, 33, {"640x360+740+1560px"}},
         Fault{"no pixels", changed(kGood, "640x360", "0x360"), 2, 33, {"0x360"}},
@@ -137,18 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
               2,
               22,
               {"'LineInterlaced'", "'Interlaced'"},
-              false},
-        Fault{"no corners",
-              machine("Name='localhost' Geometry='300x300+300+0'"),
-              2,
-              1,
-              {"no corners", "1000 mm ahead", "536 × 536 mm"},
               false}),
-    [](const auto& tested) {
-      std::string name = tested.param.what;
-      std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-      return name;
-    });
+    test::pvx::nameOfFault);
 
 TEST(PvxFile, RefusesWhatIsNoXml) {
   const std::vector<std::tuple<std::string, int, int>> files{

@@ -6,13 +6,13 @@
 #include <numbers>
 #include <optional>
 
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
-#include "app/files/starting_histories.h"
 #include "app/hand/ray_picking.h"
+#include "app/live/live_source.h"
 #include "app/play/hit_seen.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
+#include "app/scenario/starting_histories.h"
 #include "app/session/game_settings.h"
-#include "app/session/live_source.h"
 #include "cave/frame/bodies.h"
 #include "cave/frame/pacer.h"
 #include "engine/light/point_emission.h"

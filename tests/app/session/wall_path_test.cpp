@@ -18,12 +18,12 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "app/files/starting_histories.h"
+#include "app/live/live_source.h"
 #include "app/operator/room_languages.h"
 #include "app/operator/visitor_choices.h"
+#include "app/scenario/starting_histories.h"
 #include "app/session/director.h"
 #include "app/session/game_settings.h"
-#include "app/session/live_source.h"
 #include "app/temporary_folder.h"
 #include "cave/overlay/band_layout.h"
 #include "cave/texts/texts.h"

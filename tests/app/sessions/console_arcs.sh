@@ -15,7 +15,7 @@ import subprocess
 import sys
 import time
 
-# Where the console draws the four small pictures of 207 x 110 pixels (app/console/console_walls.cpp lays them out).
+# Where the console draws the four small pictures of 207 x 110 pixels (app/console_parts/console_walls.cpp lays them out).
 LEFTS, TOP, SIZE = (994, 1210, 1427, 1643), 423, (207, 109)
 WINDOWS, WINDOW = [(40 + 450 * i, 40) for i in range(4)], (450, 240)
 COLUMNS, ROWS = 6, 3

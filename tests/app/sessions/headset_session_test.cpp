@@ -23,13 +23,13 @@
 #include <fmt/format.h>
 #include <openxr/openxr.h>
 
-#include "app/files/starting_histories.h"
 #include "app/journal/session_file.h"
 #include "app/play/sculpture_hands.h"
 #include "app/program.h"
+#include "app/scenario/starting_histories.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/display/display_walls.h"
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 #include "cave/scene/kept_light.h"
 #include "places.h"
 

@@ -17,13 +17,13 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "app/stage/scenario_scene.h"
+#include "cave/bodies/visible_chunks.h"
 #include "cave/gl/graphics.h"
-#include "cave/gl/image.h"
 #include "cave/gl/picture.h"
-#include "cave/render/visible_chunks.h"
+#include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/off_axis.h"
 #include "cave/screen/curved_screen.h"

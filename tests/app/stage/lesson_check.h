@@ -14,7 +14,7 @@
 #include "app/stage/picture_reader.h"
 #include "cave/frame/body_colour.h"
 #include "cave/gl/glyph_bitmap.h"
-#include "cave/overlay/hud_text.h"
+#include "cave/hud/hud_text.h"
 #include "cave/overlay/wall_buttons.h"
 #include "cave/room/off_axis.h"
 

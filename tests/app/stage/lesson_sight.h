@@ -14,17 +14,17 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/files/starting_histories.h"
+#include "app/live/live_source.h"
 #include "app/operator/room_languages.h"
 #include "app/operator/visitor_choices.h"
+#include "app/scenario/starting_histories.h"
 #include "app/session/director.h"
 #include "app/session/game_settings.h"
-#include "app/session/live_source.h"
 #include "app/stage/scenario_scene.h"
 #include "cave/display/display_walls.h"
 #include "cave/gl/graphics.h"
-#include "cave/gl/image.h"
 #include "cave/overlay/band_layout.h"
+#include "cave/pictures/image.h"
 #include "places.h"
 
 namespace carom::test {

@@ -14,10 +14,10 @@
 #include <glm/geometric.hpp>
 
 #include "app/stage/lesson_sight.h"
-#include "cave/gl/image.h"
 #include "cave/gl/letter_atlas.h"
 #include "cave/gl/view_colours.h"
-#include "cave/render/mark_buffer.h"
+#include "cave/marks/mark_buffer.h"
+#include "cave/pictures/image.h"
 
 namespace carom::test {
 

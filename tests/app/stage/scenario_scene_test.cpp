@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "places.h"
 
 namespace carom {

@@ -15,16 +15,16 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
 #include "app/room_formats/mpcdi_file.h"
+#include "app/scenario/scenario.h"
 #include "app/stage/scenario_scene.h"
 #include "app/temporary_folder.h"
 #include "cave/display/wall_pictures.h"
 #include "cave/frame/bodies.h"
 #include "cave/gl/graphics.h"
-#include "cave/gl/image.h"
 #include "cave/mesh_files/measured_bytes.h"
+#include "cave/pictures/image.h"
 #include "cave/screen/sky_screen.h"
 #include "cave/screen/true_screens.h"
 #include "engine/billiard/billiard.h"

@@ -1,4 +1,4 @@
-// Studies and item banks: what they may say, and the faults of those that are wrong.
+// Studies: what they may say, and the faults of those that are wrong.
 #include "app/study/study.h"
 
 #include <gtest/gtest.h>
@@ -7,30 +7,17 @@
 
 #include <fmt/format.h>
 
-#include "app/files/input_file.h"
-#include "app/study/item_bank.h"
-#include "app/temporary_folder.h"
+#include "app/study/study_texts.h"
+#include "app/toml/input_file.h"
 #include "places.h"
 
 namespace carom {
 namespace {
 
+using test::faultsOf;
+using test::item;
 using test::TemporaryFolder;
-
-/// Returns all faults that reading the file throws, one a line, without the folder.
-template <typename Read>
-std::string faultsOf(const TemporaryFolder& folder, const Read& read) {
-  try {
-    read();
-  } catch (const InputErrors& errors) {
-    std::string all;
-    for (const InputError& fault : errors.faults()) all += std::string(fault.what()) + "\n";
-    const std::string path = (folder / "").string();
-    for (std::size_t at = 0; (at = all.find(path)) != std::string::npos;) all.erase(at, path.size());
-    return all;
-  }
-  return {};
-}
+using test::wholeBank;
 
 std::string studyText(const std::string& more = "", const std::string& arms = "") {
   return "title = \"T\"\nseed = 1\nparticipants = 24\nlessons = [\"light-clock\", \"twins\"]\n" + more +
@@ -44,26 +31,6 @@ std::string faultsOfStudy(const std::string& text) {
   const auto file = folder.file("study.toml", text);
   return faultsOf(folder, [&] { readStudy(file); });
 }
-
-/// An item with one key.
-std::string item(const std::string& id, const std::string& asks, const std::string& form,
-                 const std::string& answers =
-                     "[[item.answer]]\nid = \"a\"\ntext = \"A\"\nright = true\n"
-                     "[[item.answer]]\nid = \"b\"\ntext = \"B\"\n"
-                     "misconception = \"m\"\n") {
-  return "[[item]]\nid = \"" + id + "\"\nconcept = \"" + asks + "\"\nform = \"" + form +
-         "\"\nquestion = \"Q\"\n" + answers;
-}
-
-std::string wholeBank() { return item("i", "k", "A") + item("i", "k", "B") + item("i", "k", "C"); }
-
-std::string faultsOfBank(const std::string& text) {
-  const TemporaryFolder folder;
-  const auto file = folder.file("bank.toml", text);
-  return faultsOf(folder, [&] { readItemBank(file); });
-}
-
-#define EXPECT_SAYS(said, words) EXPECT_NE((said).find(words), std::string::npos) << (said)
 
 TEST(Study, TheShippedOnesAreWithoutFault) {
   for (const char* name : {"walking-or-standing", "before-and-after"}) {
@@ -222,55 +189,6 @@ TEST(Study, KnowsWhetherItsItemsAreTheShippedOnes) {
   folder.file("own.toml", wholeBank());
   EXPECT_TRUE(readStudy(folder.file("study.toml", studyText())).hasShippedBank);
   EXPECT_FALSE(readStudy(folder.file("study.toml", studyText("items = \"own.toml\"\n"))).hasShippedBank);
-}
-
-TEST(ItemBank, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(faultsOfBank(wholeBank()), "");
-  const std::string answer = "[[item.answer]]\nid = \"a\"\ntext = \"A\"\n";
-  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "k", "A",
-                                              answer + "[[item.answer]]\nid = \"b\"\ntext = "
-                                                       "\"B\"\n")),
-              "item j of form A has no key");
-  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "k", "A",
-                                              answer + "right = true\n[[item.answer]]\nid = \"b\"\ntext = "
-                                                       "\"B\"\nright = true\n")),
-              "item j of form A has 2 right answers, expected one");
-  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "k", "A", answer + "right = true\n")),
-              "has 1 answers, expected at least 2");
-  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "k", "A", answer + "right = true\n" + answer)),
-              "has two answers 'a'");
-  EXPECT_SAYS(faultsOfBank(wholeBank() + item("i", "k", "B")), "item i stands twice in form B");
-  EXPECT_SAYS(faultsOfBank(wholeBank() + item("j", "other", "A") + item("j", "other", "B")),
-              "form C has no item of the concept other");
-  // One mistake is one line, at its own place.
-  EXPECT_EQ(faultsOfBank(item("i", "k", "D") + item("i", "k", "B") + item("i", "k", "C")),
-            "bank.toml:4:8: form is 'D', expected 'A' or 'B' or 'C'\n");
-  EXPECT_EQ(faultsOfBank(wholeBank() +
-                         item("j", "k", "A",
-                              answer + "right = \"yes\"\n" + "[[item.answer]]\nid = \"b\"\ntext = \"B\"\n")),
-            "bank.toml:48:9: right is a text, expected true or false\n");
-  std::string without = item("j", "k", "A");
-  without.erase(without.find("concept"), std::string("concept = \"k\"\n").size());
-  EXPECT_EQ(faultsOfBank(wholeBank() + without), "bank.toml:40:1: concept is missing here\n");
-  EXPECT_SAYS(faultsOfBank(item("a,b", "k", "A")), "id is 'a,b', expected at most 40 letters");
-  EXPECT_SAYS(faultsOfBank("title = \"none\"\n"), "there is no item here");
-  EXPECT_SAYS(
-      faultsOfBank(
-          item("i", "k", "A", answer + "right = true\n[[item.answer]]\nid = \"dont-know\"\ntext = \"?\"\n")),
-      "'dont-know' is the answer that each item has");
-  EXPECT_SAYS(faultsOfBank(item("i", "k", "A", answer + "right = true\nmisconception = \"m\"\n")),
-              "the right answer has a misconception");
-}
-
-TEST(ItemBank, TellsOfFormsWithOtherAnswers) {
-  const std::string other =
-      "[[item.answer]]\nid = \"a\"\ntext = \"A\"\n[[item.answer]]\nid = \"c\"\ntext = \"C\"\nright = true\n";
-  const TemporaryFolder folder;
-  const ItemBank bank = readItemBank(
-      folder.file("bank.toml", item("i", "k", "A") + item("i", "k", "B", other) + item("i", "k", "C")));
-  ASSERT_EQ(bank.odd.size(), 2U);
-  EXPECT_SAYS(bank.odd[0].text, "the answer 'a' of item i means something else in form B than in form A");
-  EXPECT_SAYS(bank.odd[1].text, "item i has an answer 'c' in form B and none in form A");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "app/files/scenario.h"
+#include "app/scenario/scenario.h"
 #include "engine/spacetime/lorentz.h"
 #include "places.h"
 

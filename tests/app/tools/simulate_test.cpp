@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/files/scenario.h"
 #include "app/program.h"
+#include "app/scenario/scenario.h"
 #include "exact_cases.h"
 #include "places.h"
 

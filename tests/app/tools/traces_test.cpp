@@ -1,11 +1,11 @@
 // Faults of a rig's traces are found before a session starts.
 
-#include "app/files/traces.h"
+#include "app/rig/traces.h"
 
 #include <gtest/gtest.h>
 
-#include "app/files/toml_file.h"
 #include "app/program.h"
+#include "app/toml/toml_file.h"
 
 namespace carom {
 namespace {

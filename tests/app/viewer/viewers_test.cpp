@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/fed_tracker.h"
-#include "app/files/rig.h"
-#include "app/files/scenario.h"
+#include "app/rig/rig.h"
+#include "app/scenario/scenario.h"
 #include "places.h"
 
 namespace carom {

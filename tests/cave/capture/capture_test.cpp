@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "cave/display/window.h"
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 
 namespace carom {
 namespace {

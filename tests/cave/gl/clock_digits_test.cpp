@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "cave/gl/gl_state_guard.h"
-#include "cave/gl/image.h"
 #include "cave/gl/letter_atlas.h"
 #include "cave/glowing_puck.h"
-#include "cave/render/mark_buffer.h"
+#include "cave/marks/mark_buffer.h"
+#include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/off_axis.h"
 #include "cave/scene/table_model.h"

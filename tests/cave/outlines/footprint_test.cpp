@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "cave/outlines/mesh_from_above.h"
-#include "engine/base/input_error.h"
-#include "engine/collision/outline.h"
+#include "engine/polygons/outline.h"
 #include "engine/random_world.h"
+#include "engine/text/input_error.h"
 #include "places.h"
 
 namespace carom {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/display/window.h"
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 
 namespace carom {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdint>
 
 #include "cave/display/display_walls.h"
-#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
-#include "cave/overlay/panel_place.h"
+#include "cave/hud/panel_place.h"
+#include "cave/pictures/image.h"
 #include "cave/record/effects.h"
 
 namespace carom {

@@ -9,7 +9,7 @@
 
 #include "cave/cluster/frame_lock.h"
 #include "cave/display/window.h"
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 
 namespace carom {
 namespace {

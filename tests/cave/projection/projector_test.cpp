@@ -24,8 +24,8 @@
 
 #include "app/temporary_folder.h"
 #include "cave/display/window.h"
-#include "cave/gl/image.h"
 #include "cave/mesh_files/measured_bytes.h"
+#include "cave/pictures/image.h"
 #include "cave/projection/stereo.h"
 #include "cave/room/wall_eyes.h"
 

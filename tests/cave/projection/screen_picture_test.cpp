@@ -17,7 +17,7 @@
 #include <glm/geometric.hpp>
 
 #include "cave/gl/graphics.h"
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 #include "cave/screen/true_screens.h"
 
 namespace carom {

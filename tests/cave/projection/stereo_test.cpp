@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "cave/display/window.h"
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 
 namespace carom {
 namespace {

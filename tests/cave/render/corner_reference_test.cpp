@@ -10,7 +10,7 @@
 #include "cave/scene/outline_model.h"
 #include "cave/silhouettes.h"
 #include "engine/billiard/billiard.h"
-#include "engine/collision/outline.h"
+#include "engine/polygons/outline.h"
 
 namespace carom {
 namespace {

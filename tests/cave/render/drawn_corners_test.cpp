@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cave/frame/bodies.h"
-#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
+#include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/off_axis.h"
 #include "cave/scene/scene_builder.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cave/gl/graphics.h"
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 #include "engine/random_world.h"
 
 namespace carom {

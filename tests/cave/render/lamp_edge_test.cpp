@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "cave/frame/bodies.h"
-#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
+#include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/scene/scene_builder.h"
 

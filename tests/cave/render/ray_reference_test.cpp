@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <set>
 
-#include "app/files/scenario.h"
+#include "app/scenario/scenario.h"
 #include "cave/scene/scene_builder.h"
 #include "cave/silhouettes.h"
 #include "engine/light/mesh_emission.h"

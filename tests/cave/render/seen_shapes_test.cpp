@@ -8,8 +8,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/files/scenario.h"
 #include "app/program.h"
+#include "app/scenario/scenario.h"
 #include "cave/reference_views.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/light/mesh_emission.h"

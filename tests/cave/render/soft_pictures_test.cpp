@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "cave/gl/image.h"
+#include "cave/pictures/image.h"
 #include "cave/reference_views.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/room/off_axis.h"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
+#include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/random_world.h"

@@ -12,9 +12,9 @@
 #include <glm/geometric.hpp>
 
 #include "cave/bumpy_sphere.h"
-#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
-#include "cave/mesh/mesh_file.h"
+#include "cave/mesh_input/mesh_file.h"
+#include "cave/pictures/image.h"
 #include "cave/room/off_axis.h"
 #include "cave/scene/scene_builder.h"
 #include "cave/scene/table_model.h"

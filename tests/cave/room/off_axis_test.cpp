@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "app/files/rig.h"
+#include "app/rig/rig.h"
 #include "cave/room/room_geometry.h"
 #include "engine/random_world.h"
 #include "places.h"

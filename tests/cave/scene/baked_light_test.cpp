@@ -3,23 +3,25 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/stat.h>
-
-#include <filesystem>
-#include <fstream>
+#include <array>
+#include <cstdint>
 #include <functional>
-#include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include <vtkPointData.h>
 #include <glm/geometric.hpp>
 
 #include "cave/mesh/mesh_builder.h"
-#include "cave/scene/kept_light.h"
+#include "cave/scene/lit_plates.h"
 #include "cave/scene/scene_builder.h"
 
 namespace carom {
 namespace {
+
+using test::bytesOf;
+using test::plateOver;
+using test::slabOver;
 
 constexpr double kReach_m = 3.0, kBounced = 0.25;  // as baked_light.cpp has them
 
@@ -33,19 +35,6 @@ Lit litAt(vtkPolyData& mesh, vtkIdType i) {
   if (!lit) throw std::runtime_error("the mesh is not lit");
   return {{lit->GetComponent(i, 0) / 255.0, lit->GetComponent(i, 1) / 255.0, lit->GetComponent(i, 2) / 255.0},
           lit->GetComponent(i, 3) / 255.0};
-}
-
-/// A floor with a wide slab above it, and lamps above that, but the last one below it.
-Scene slabOver(double height_m) {
-  MeshBuilder floor, slab;
-  floor.addFlat({-1.0, -1.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, 0.5);
-  slab.addFlat({-100.0, -100.0, height_m}, {200.0, 0.0, 0.0}, {0.0, 200.0, 0.0}, 100.0);
-  Scene scene;
-  scene.parts = {{kRestingBody, floor.build(), Paint::floor}};
-  scene.casters = {{kRestingBody, slab.build(), Paint::plain}};
-  scene.lamps_m = {glm::dvec3(0.0, 0.0, 2.0 * height_m), glm::dvec3(0.0, 0.0, -1.0),
-                   glm::dvec3(0.0, 0.0, 0.5 * height_m)};
-  return scene;
 }
 
 // A ray at the cosine μ meets a slab at height h after h/μ. Rays are spread by the cosine, their reaches
@@ -134,25 +123,6 @@ TEST(BakedLight, IsTheSameEachTime) {
   }
 }
 
-std::string bytesOf(vtkPolyData& mesh) {
-  vtkDataArray* const lit = mesh.GetPointData()->GetArray("lit");
-  if (!lit) return "the mesh is not lit";
-  return {static_cast<const char*>(lit->GetVoidPointer(0)),
-          static_cast<std::size_t>(lit->GetNumberOfValues())};
-}
-
-/// A floor in the shadow of a square plate that hides a part of the hall and of each lamp from it.
-Scene plateOver(double height_m) {
-  Scene scene = slabOver(height_m);
-  MeshBuilder floor, plate;
-  floor.addFlat({-1.0, -1.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, 0.03);
-  plate.addFlat({-0.5, -0.4, height_m}, {1.0, 0.0, 0.0}, {0.0, 0.8, 0.0}, 1.0);
-  scene.parts = {{kRestingBody, floor.build(), Paint::floor}};
-  scene.casters = {{kRestingBody, plate.build(), Paint::plain}};
-  scene.lamps_m = {glm::dvec3(0.0, 0.0, 1.9), glm::dvec3(0.4, 0.1, 1.7), glm::dvec3(-0.7, 0.3, 2.1)};
-  return scene;
-}
-
 /// FNV-1a, 64 bits.
 std::uint64_t digestOf(const std::string& bytes) {
   std::uint64_t digest = 0xcbf29ce484222325U;
@@ -166,92 +136,6 @@ TEST(BakedLight, IsTheSameOnEveryMachine) {
   Scene scene = plateOver(0.75);
   bakeLight(scene);
   EXPECT_EQ(digestOf(bytesOf(*scene.parts[0].mesh)), 12245130188924298777U);
-}
-
-/// A folder for kept light, gone with the test.
-struct LightFolder {
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("carom-light-test-" + std::to_string(getpid()));
-  ~LightFolder() { std::filesystem::remove_all(path); }
-
-  std::vector<std::filesystem::path> files() const {
-    std::vector<std::filesystem::path> all;
-    for (const auto& entry : std::filesystem::directory_iterator(path)) all.push_back(entry.path());
-    return all;
-  }
-};
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-ino_t numberOf(const std::filesystem::path& file) {
-  struct stat state {};
-  stat(file.c_str(), &state);
-  return state.st_ino;
-}
-
-TEST(KeptLight, IsThatWhichWasBakedAndIsBakedOnce) {
-  const LightFolder folder;
-  Scene baked = plateOver(0.75), first = plateOver(0.75), again = plateOver(0.75), other = plateOver(0.76);
-  bakeLight(baked);
-  lightScene(first, folder.path);
-  ASSERT_EQ(folder.files().size(), 1U);
-  const std::filesystem::path file = folder.files().front();
-  const ino_t number = numberOf(file);
-  lightScene(again, folder.path);
-  EXPECT_EQ(numberOf(file), number) << "it was baked and written again";
-  EXPECT_EQ(bytesOf(*first.parts[0].mesh), bytesOf(*baked.parts[0].mesh));
-  EXPECT_EQ(bytesOf(*again.parts[0].mesh), bytesOf(*baked.parts[0].mesh));
-  lightScene(other, folder.path);
-  EXPECT_EQ(folder.files().size(), 2U) << "another scene has other light";
-  EXPECT_NE(bytesOf(*other.parts[0].mesh), bytesOf(*baked.parts[0].mesh));
-}
-
-TEST(KeptLight, IsHandedToTheSameSceneOnly) {
-  Scene first = plateOver(0.75), same = plateOver(0.75), other = plateOver(0.76), coarser = slabOver(0.75);
-  bakeLight(first);
-  const std::string light = lightOf(first);
-  EXPECT_TRUE(setLight(same, light));
-  EXPECT_EQ(bytesOf(*same.parts[0].mesh), bytesOf(*first.parts[0].mesh));
-  EXPECT_FALSE(setLight(other, light));
-  EXPECT_FALSE(setLight(coarser, light));
-  for (const std::string& wrong : {std::string(), std::string("x"), light + "x", light.substr(1)})
-    EXPECT_FALSE(setLight(same, wrong)) << wrong.size() << " bytes";
-}
-
-TEST(KeptLight, ThatIsNotWholeIsBakedAnew) {
-  const LightFolder folder;
-  Scene baked = plateOver(0.75);
-  lightScene(baked, folder.path);
-  const std::filesystem::path file = folder.files().front();
-  const std::string whole = contentOf(file);
-  std::string changed = whole;
-  changed.back() ^= 1;
-  for (const std::string& bytes : {std::string(), std::string("junk"), whole.substr(0, 16),
-                                   whole.substr(0, 1000), whole + "x", changed}) {
-    std::ofstream(file, std::ios::binary) << bytes;
-    Scene scene = plateOver(0.75);
-    lightScene(scene, folder.path);
-    EXPECT_EQ(bytesOf(*scene.parts[0].mesh), bytesOf(*baked.parts[0].mesh)) << bytes.size() << " bytes";
-    EXPECT_EQ(contentOf(file), whole) << bytes.size() << " bytes";
-  }
-}
-
-TEST(KeptLight, IsOfSixteenScenesAndNeedsNoFolder) {
-  const LightFolder folder;
-  for (int i = 0; i < 18; ++i) {
-    Scene scene = slabOver(0.5 + 0.01 * i);
-    lightScene(scene, folder.path);
-  }
-  EXPECT_EQ(folder.files().size(), 16U);
-  for (const char* nowhere : {"", "/proc/carom-light"}) {
-    Scene scene = plateOver(0.75);
-    lightScene(scene, nowhere);
-    EXPECT_EQ(bytesOf(*scene.parts[0].mesh).size(),
-              4U * static_cast<std::size_t>(scene.parts[0].mesh->GetNumberOfPoints()));
-  }
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "engine/collision/outline.h"
+#include "engine/polygons/outline.h"
 
 namespace carom {
 namespace {

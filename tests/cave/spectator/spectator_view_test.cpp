@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "cave/gl/image.h"
 #include "cave/glowing_puck.h"
+#include "cave/pictures/image.h"
 #include "cave/scene/table_model.h"
 #include "cave/spectator/orbit_camera.h"
 

@@ -9,10 +9,10 @@
 
 #include "counted_new.h"
 #include "devices/natnet_sender.h"
+#include "devices/osc/osc_decoder.h"
 #include "devices/osc_sender.h"
 #include "devices/protocol/dtrack_decoder.h"
 #include "devices/protocol/natnet_decoder.h"
-#include "devices/protocol/osc_decoder.h"
 #include "devices/protocol/qtm_bodies.h"
 #include "devices/protocol/qtm_frame.h"
 #include "devices/protocol/survive_decoder.h"

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "devices/walk_trace.h"
-#include "engine/base/input_error.h"
+#include "engine/text/input_error.h"
 #include "places.h"
 
 namespace carom {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/billiard/billiard.h"
-#include "engine/billiard/soft_puck_mesh.h"
+#include "engine/game/soft_puck_mesh.h"
 #include "engine/light/vertex_history.h"
 #include "engine/random_world.h"
 #include "engine/soft/soft_history.h"

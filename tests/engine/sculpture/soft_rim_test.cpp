@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/billiard/soft_puck_mesh.h"
+#include "engine/game/soft_puck_mesh.h"
 #include "engine/random_world.h"
 #include "engine/sculpture/growing_tube.h"
 

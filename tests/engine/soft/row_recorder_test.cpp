@@ -126,29 +126,5 @@ TEST(RowRecorder, CatchesUpSlowerThanLight) {
   EXPECT_NEAR(history.row(history.rowCount() - 1).time, 1.0 + 0.0108 / 0.35, 0.004);
 }
 
-TEST(SoftHistory, RefusesLightSpeedAndForgetsFromBothEnds) {
-  SoftHistory history;
-  const auto row = [](double time, double x) {
-    SoftRow at;
-    at.time = time, at.centreX = x, at.nodes = 2;
-    return at;
-  };
-  const std::vector<SoftNode> nodes{{0.01F, 0.0F}, {-0.01F, 0.0F}};
-  for (int k = 0; k < 200; ++k) history.append(row(0.01 * k, 0.005 * k), nodes);
-  EXPECT_THROW(history.append(row(2.0, 1.1), nodes), std::invalid_argument);
-  EXPECT_THROW(history.append(row(1.99, 0.995), nodes), std::invalid_argument);
-  EXPECT_THROW(history.append(row(2.0, 1.0), std::vector<SoftNode>(1)), std::invalid_argument);
-  EXPECT_EQ(history.rowCount(), 200U);
-  history.forgetBefore(1.505);
-  EXPECT_NEAR(history.row(0).time, 1.50, 1e-12);
-  EXPECT_NEAR(history.place(0, 1).x, 0.74, 1e-8);
-  history.truncateFrom(1.70);
-  EXPECT_EQ(history.rowCount(), 20U);
-  history.append(row(1.70, 0.85), nodes);
-  EXPECT_NEAR(history.place(20, 0).x, 0.86, 1e-8);
-  history.truncateFrom(0.0);
-  EXPECT_EQ(history.rowCount(), 0U);
-}
-
 }  // namespace
 }  // namespace carom

@@ -1,0 +1,13 @@
+#include "engine/game/soft_puck_mesh.h"
+
+#include <glm/common.hpp>
+
+namespace carom {
+
+SoftMesh softMeshOf(const Puck& puck) {
+  const int cells = puck.soft ? puck.soft->cells : kStiffCells;
+  if (puck.outline_m.empty()) return softDisc(puck.radius_m, cells);
+  return softRectangle(glm::abs(puck.outline_m.front()), cells);
+}
+
+}  // namespace carom
