@@ -49,14 +49,16 @@ TEST(CoverFile, OneOfSeveralClustersIsChosenByName) {
 // Whatever their order in the file: sections for all, then of the cluster, then of the computer win.
 TEST(CoverConfig, NarrowerSectionsWin) {
   Room room;
-  const Part root =
-      partOf(parseXml("a.xml",
-                      "<COCONFIG><LOCAL HOST='b,a'><COVER><Size value='local'/></COVER></LOCAL>"
-                      "<CLUSTER MASTER='m'><COVER><Size value='cluster'/><Kind value='c'/></COVER></CLUSTER>"
-                      "<GLOBAL><COVER><Size value='all'/><Kind value='g'/><Rest value='r'/></COVER></GLOBAL>"
-                      "</COCONFIG>",
-                      Doctype::none)
-                 .root);
+  const Part root = partOf(
+      parseXml(
+          "a.xml",
+          "<COCONFIG><LOCAL HOST='b,a'><COVER><FloorHeight value='local'/></COVER></LOCAL>"
+          "<CLUSTER MASTER='m'><COVER><FloorHeight value='cluster'/><StereoMode value='c'/></COVER></CLUSTER>"
+          "<GLOBAL><COVER><FloorHeight value='all'/><StereoMode value='g'/><NumWindows "
+          "value='r'/></COVER></GLOBAL>"
+          "</COCONFIG>",
+          Doctype::none)
+          .root);
   CoverSections sections(root, room);
   EXPECT_EQ(sections.masters(), std::vector<std::string>{"m"});
   EXPECT_EQ(sections.hosts(), (std::vector<std::string>{"b", "a"}));
@@ -65,11 +67,11 @@ TEST(CoverConfig, NarrowerSectionsWin) {
     const Part* part = config.find(element);
     return part ? part->textOf("value") : "none";
   };
-  EXPECT_EQ(value("a", "m", "Size"), "local");
-  EXPECT_EQ(value("a", "m", "Kind"), "c");
-  EXPECT_EQ(value("a", "m", "Rest"), "r");
-  EXPECT_EQ(value("c", "m", "Size"), "cluster");
-  EXPECT_EQ(value("c", "", "Size"), "all");
+  EXPECT_EQ(value("a", "m", "FloorHeight"), "local");
+  EXPECT_EQ(value("a", "m", "StereoMode"), "c");
+  EXPECT_EQ(value("a", "m", "NumWindows"), "r");
+  EXPECT_EQ(value("c", "m", "FloorHeight"), "cluster");
+  EXPECT_EQ(value("c", "other", "FloorHeight"), "all");
   EXPECT_EQ(allFindings(room), "");
 }
 

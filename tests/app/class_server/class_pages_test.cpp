@@ -19,7 +19,7 @@ namespace {
 
 std::string sourceOf(const char* name) {
   const auto root = std::filesystem::path(CAROM_TESTS_DIR).parent_path();
-  std::ifstream file(root / "app/classroom/pages" / name);
+  std::ifstream file(root / "app/class_server/pages" / name);
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
