@@ -127,8 +127,7 @@ FileKey puck() {
        number("inertia", kInertia,
               "share of the mass in the rim, at least 1e-6: a slowly spinning puck has the moment of inertia "
               "inertia · "
-              "mass · radius²; of a puck with corners that of an even plate, where it is left out",
-              Puck{}.inertia),
+              "mass · radius²; 0.5 if left out, a disc's, and of a puck with corners that of an even plate"),
        number("spin_rad_s", {},
               "by its own clock, anticlockwise from above; its angle is 0 at t = 0; times the radius below "
               "light speed",

@@ -60,12 +60,13 @@ void LiveSource::next(const FrameTimes& given, const FrameInput& input, Operator
   const double pace = settings.lightSpeed_m_s / scenario_.billiard.lightSpeed_m_s;
   const bool still = move({times, settings.eyeSeparation_m, pace, wish, inputs_.steering()}, settings, stands,
                           shot, decision);
-  act(settings, !still && !shot, decision);
+  const bool timePasses = !still && !shot;
+  act(settings, timePasses, decision);
   if (link_)
     link_->tellWaiting(still && !stands, times.step_s, world_, decision.frame.record, announcements_);
   tell(input.commands, settings, stands, decision);
   playGame(settings, decision.frame);
-  if (link_) link_->tell(room_, game_, settings, still || shot, decision);
+  if (link_) link_->tell(room_, game_, settings, !timePasses, decision);
   finish(given, decision);
 }
 

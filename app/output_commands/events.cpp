@@ -118,95 +118,109 @@ std::string vectorText(const Vec3& v) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);
 }
 
-using EventColumns = std::vector<CsvColumn<EventRow>>;
+/// A row of the table, the row after it, or null, and when each viewer saw its event.
+struct SeenEvent {
+  const EventRow& row;
+  const EventRow* next;
+  std::vector<std::optional<Reception>> seen;
+};
+using EventColumns = std::vector<CsvColumn<SeenEvent>>;
+
+std::vector<SeenEvent> seenEvents(const Subject& subject, const std::vector<EventRow>& rows) {
+  std::vector<SeenEvent> events;
+  for (const EventRow& row : rows) {
+    events.push_back({row, &row == &rows.back() ? nullptr : &row + 1, {}});
+    for (const std::vector<HeadAt>& head : subject.heads)
+      events.back().seen.push_back(receptionBy(head, row.event.at, subject.c_m_s));
+  }
+  return events;
+}
 
 /// Adds the columns of an event's time and place; `name` stands before each of their names.
 void addPlace(EventColumns& columns, const std::string& name,
               const std::function<const Event&(const EventRow&)>& at) {
-  columns.push_back({name + "t_s", [at](const EventRow& row) { return at(row).t_s; }});
-  columns.push_back({name + "x_m", [at](const EventRow& row) { return at(row).r_m.x; }});
-  columns.push_back({name + "y_m", [at](const EventRow& row) { return at(row).r_m.y; }});
-  columns.push_back({name + "z_m", [at](const EventRow& row) { return at(row).r_m.z; }});
+  columns.push_back({name + "t_s", [at](const SeenEvent& event) { return at(event.row).t_s; }});
+  columns.push_back({name + "x_m", [at](const SeenEvent& event) { return at(event.row).r_m.x; }});
+  columns.push_back({name + "y_m", [at](const SeenEvent& event) { return at(event.row).r_m.y; }});
+  columns.push_back({name + "z_m", [at](const SeenEvent& event) { return at(event.row).r_m.z; }});
 }
 
 /// Adds the columns of the interval to the next row's event.
 void addRelation(EventColumns& columns, double c_m_s) {
-  const auto lengthIf = [](Separation separation, double unit_m) {
-    return [separation, unit_m](const EventRow& row) -> CsvValue {
-      if (!row.toNext || row.toNext->separation != separation) return std::nullopt;
-      return row.toNext->length_m / unit_m;
-    };
+  const auto ofRelation = [](const auto& value) {
+    return ifThere([](const SeenEvent& event) -> const std::optional<Relation>& { return event.row.toNext; },
+                   value);
   };
-  const auto beta = [](int axis) {
-    return [axis](const EventRow& row) -> CsvValue {
-      if (!row.toNext || !row.toNext->beta) return std::nullopt;
-      return (*row.toNext->beta)[axis];
-    };
+  const auto lengthIf = [&](Separation separation, double unit_m) {
+    return ofRelation([separation, unit_m](const Relation& relation) {
+      return relation.separation == separation ? std::optional(relation.length_m / unit_m) : std::nullopt;
+    });
   };
-  const auto next = [](const EventRow& row) -> CsvValue {
-    if (!row.toNext) return std::nullopt;
-    return (&row + 1)->event.number;
+  const auto beta = [&](int axis) {
+    return ofRelation([axis](const Relation& relation) {
+      return relation.beta ? std::optional((*relation.beta)[axis]) : std::nullopt;
+    });
   };
-  const auto interval = [](const EventRow& row) -> CsvValue {
-    if (!row.toNext) return std::nullopt;
-    return toString(row.toNext->separation);
-  };
-  columns.insert(columns.end(), {{"next", next},
-                                 {"interval", interval},
-                                 {"proper_time_s", lengthIf(Separation::timelike, c_m_s)},
-                                 {"distance_m", lengthIf(Separation::spacelike, 1.0)},
-                                 {"beta_x", beta(0)},
-                                 {"beta_y", beta(1)},
-                                 {"beta_z", beta(2)}});
+  columns.insert(
+      columns.end(),
+      {{"next", ifThere([](const SeenEvent& event) { return event.next; },
+                        [](const EventRow& next) { return next.event.number; })},
+       {"interval", ofRelation([](const Relation& relation) { return toString(relation.separation); })},
+       {"proper_time_s", lengthIf(Separation::timelike, c_m_s)},
+       {"distance_m", lengthIf(Separation::spacelike, 1.0)},
+       {"beta_x", beta(0)},
+       {"beta_y", beta(1)},
+       {"beta_z", beta(2)}});
 }
 
 /// Adds the columns of when each viewer saw the event, and when its light arrived at each place.
 void addReceptions(EventColumns& columns, const Subject& subject, const EventsOptions& options) {
   for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
-    const std::string seen = viewer == 0 ? "seen" : fmt::format("seen_by_{}", subject.viewers[viewer]);
-    const auto reception = [&subject, viewer](const EventRow& row) {
-      return receptionBy(subject.heads[viewer], row.event.at, subject.c_m_s).value_or(Reception{});
+    const std::string name = viewer == 0 ? "seen" : fmt::format("seen_by_{}", subject.viewers[viewer]);
+    const auto ofReception = [viewer](const auto& value) {
+      return ifThere(
+          [viewer](const SeenEvent& event) -> const std::optional<Reception>& { return event.seen[viewer]; },
+          value);
     };
-    const auto time = [reception](const EventRow& row) {
-      const Reception at = reception(row);
-      return at.frame ? std::optional(at.t_s) : std::nullopt;
-    };
-    columns.push_back({seen + "_frame", [reception](const EventRow& row) { return reception(row).frame; }});
-    columns.push_back({seen + "_t_s", time});
+    columns.push_back({name + "_frame", ofReception([](const Reception& seen) { return seen.frame; })});
+    columns.push_back({name + "_t_s", ofReception([](const Reception& seen) { return seen.t_s; })});
     columns.push_back(
-        {seen + "_proper_time_s", [reception](const EventRow& row) { return reception(row).properTime_s; }});
+        {name + "_proper_time_s", ofReception([](const Reception& seen) { return seen.properTime_s; })});
   }
   for (std::size_t i = 0; i < options.places_m.size(); ++i) {
-    columns.push_back(
-        {fmt::format("place_{}_t_s", i + 1), [&subject, place_m = options.places_m[i]](const EventRow& row) {
-           return receptionAt(place_m, row.event.at, subject.c_m_s).t_s;
-         }});
+    columns.push_back({fmt::format("place_{}_t_s", i + 1),
+                       [c_m_s = subject.c_m_s, place_m = options.places_m[i]](const SeenEvent& event) {
+                         return receptionAt(place_m, event.row.event.at, c_m_s).t_s;
+                       }});
   }
 }
 
 EventColumns columnsOf(const Subject& subject, const EventsOptions& options) {
+  const auto ofGame = [](const auto& value) {
+    return [value](const SeenEvent& event) { return value(event.row.event); };
+  };
   EventColumns columns{
-      {"number", [](const EventRow& row) { return row.event.number; }},
-      {"kind", [](const EventRow& row) { return nameOf(row.event.kind); }},
-      {"who", [](const EventRow& row) { return row.who; }},
-      {"cushion", [](const EventRow& row) { return row.event.cushion ? nameOf(*row.event.cushion) : ""; }},
-      {"heat_j", [](const EventRow& row) { return row.event.heat_j; }},
-      {"without_delay", [](const EventRow& row) { return row.event.withoutDelay; }}};
+      {"number", ofGame([](const GameEvent& event) { return event.number; })},
+      {"kind", ofGame([](const GameEvent& event) { return nameOf(event.kind); })},
+      {"who", [](const SeenEvent& event) { return event.row.who; }},
+      {"cushion", ofGame([](const GameEvent& event) { return event.cushion ? nameOf(*event.cushion) : ""; })},
+      {"heat_j", ofGame([](const GameEvent& event) { return event.heat_j; })},
+      {"without_delay", ofGame([](const GameEvent& event) { return event.withoutDelay; })}};
   addPlace(columns, "", [](const EventRow& row) -> const Event& { return row.event.at; });
-  columns.push_back({"order", [](const EventRow& row) { return row.order; }});
+  columns.push_back({"order", [](const SeenEvent& event) { return event.row.order; }});
   addPlace(columns, "moving_", [](const EventRow& row) -> const Event& { return row.moving; });
-  columns.push_back({"moving_order", [](const EventRow& row) { return row.movingOrder; }});
+  columns.push_back({"moving_order", [](const SeenEvent& event) { return event.row.movingOrder; }});
   addRelation(columns, subject.c_m_s);
   addReceptions(columns, subject, options);
-  const auto spin = [](std::size_t turn) {  // afterwards, in the order of `who`
-    return [turn](const EventRow& row) -> CsvValue {
-      if (turn >= row.event.turns.size()) return std::nullopt;
-      return row.event.turns[turn].spinAfter_kg_m2_s;
-    };
+  const auto spin = [&](std::size_t turn) {  // afterwards, in the order of `who`
+    return ofGame([turn](const GameEvent& event) {
+      return turn < event.turns.size() ? std::optional(event.turns[turn].spinAfter_kg_m2_s) : std::nullopt;
+    });
   };
-  columns.insert(columns.end(), {{"first_spin_kg_m2_s", spin(0)},
-                                 {"second_spin_kg_m2_s", spin(1)},
-                                 {"side_on_side", [](const EventRow& row) { return row.event.sideOnSide; }}});
+  columns.insert(columns.end(),
+                 {{"first_spin_kg_m2_s", spin(0)},
+                  {"second_spin_kg_m2_s", spin(1)},
+                  {"side_on_side", ofGame([](const GameEvent& event) { return event.sideOnSide; })}});
   return columns;
 }
 
@@ -313,7 +327,8 @@ int runEvents(const EventsOptions& options) {
   const std::vector<EventRow> rows =
       eventRows(subject.events, subject.pucks, subject.flashes, options.movingBeta, subject.c_m_s);
   WholeFile out(options.csv.value_or("-"));
-  out.commit(options.csv ? csvText(columnsOf(subject, options), rows) : tableOf(subject, rows, options));
+  out.commit(options.csv ? csvText(columnsOf(subject, options), seenEvents(subject, rows))
+                         : tableOf(subject, rows, options));
   return 0;
 }
 

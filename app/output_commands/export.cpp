@@ -155,11 +155,8 @@ struct SeenRow {
 
 /// Returns the value of a column that is empty while the light has not arrived.
 template <typename Value>
-std::function<CsvValue(const SeenRow&)> ofLight(const Value& value) {
-  return [value](const SeenRow& row) -> CsvValue {
-    if (!row.light) return std::nullopt;
-    return value(*row.light);
-  };
+auto ofLight(const Value& value) {
+  return ifThere([](const SeenRow& row) -> const std::optional<SeenLight>& { return row.light; }, value);
 }
 
 const std::vector<CsvColumn<SeenRow>>& columns() {

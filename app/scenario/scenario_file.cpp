@@ -76,7 +76,7 @@ Puck readPuck(const TomlTable& table, double c_m_s, std::optional<PuckMesh>& mes
   puck.mass_kg = table.number("mass_kg");
   puck.position_m = toVec2(table.numbers<2>("position_m"));
   puck.beta = readBeta2(table);
-  puck.inertia = table.numberOr("inertia", puck.inertia);  // its shape has given that of an even plate
+  puck.inertia = table.numberOr("inertia", puck.inertia);  // that of its shape
   if (puck.inertia < kLeastInertia) {
     table.fault("inertia", fmt::format("inertia is {}, expected at least {}", puck.inertia, kLeastInertia));
     puck.inertia = kLeastInertia;

@@ -47,26 +47,38 @@ struct CsvColumn {
   std::function<CsvValue(const Row&)> value;
 };
 
-/// Returns the first line, the columns' names.
-template <typename Row>
-std::string csvHead(std::span<const CsvColumn<Row>> columns) {
+/// Returns the value of a column that is empty where `part(row)` is, an optional part of the row; else
+/// `value` of what it has.
+template <typename Part, typename Value>
+auto ifThere(const Part& part, const Value& value) {
+  return [part, value](const auto& row) -> CsvValue {
+    const auto& found = part(row);
+    if (!found) return std::nullopt;
+    return value(*found);
+  };
+}
+
+/// Returns a line with a field of each column.
+template <typename Row, typename Field>
+std::string csvFields(std::span<const CsvColumn<Row>> columns, const Field& fieldOf) {
   std::string line;
   for (const CsvColumn<Row>& column : columns) {
     if (&column != &columns.front()) line += ',';
-    line += csvField(column.name);
+    line += fieldOf(column);
   }
   return line + "\n";
+}
+
+/// Returns the first line, the columns' names.
+template <typename Row>
+std::string csvHead(std::span<const CsvColumn<Row>> columns) {
+  return csvFields(columns, [](const CsvColumn<Row>& column) { return csvField(column.name); });
 }
 
 /// Returns the line of a row.
 template <typename Row>
 std::string csvLine(std::span<const CsvColumn<Row>> columns, const Row& row) {
-  std::string line;
-  for (const CsvColumn<Row>& column : columns) {
-    if (&column != &columns.front()) line += ',';
-    line += column.value(row).text();
-  }
-  return line + "\n";
+  return csvFields(columns, [&](const CsvColumn<Row>& column) { return column.value(row).text(); });
 }
 
 /// Returns the file of these rows.

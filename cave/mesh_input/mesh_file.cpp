@@ -32,6 +32,9 @@
 namespace carom {
 namespace {
 
+constexpr std::array<std::string_view, 8> kEndings{".obj", ".stl", ".ply",  ".vtk",
+                                                   ".vtp", ".vtu", ".gltf", ".glb"};
+
 vtkSmartPointer<vtkPolyData> surfaceFrom(const std::string& bytes) {
   std::uint64_t count = 0;
   std::memcpy(&count, bytes.data(), sizeof count);
@@ -97,10 +100,10 @@ vtkSmartPointer<vtkPolyData> readNow(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  constexpr std::array<std::string_view, 8> kEndings{".obj", ".stl", ".ply",  ".vtk",
-                                                     ".vtp", ".vtu", ".gltf", ".glb"};
   if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end())
-    throw InputError(path, 1, 1, fmt::format("is of no known kind, expected {}", kMeshEndings));
+    throw InputError(path, 1, 1,
+                     fmt::format("is of no known kind, expected {} or {}",
+                                 fmt::join(kEndings.begin(), kEndings.end() - 1, ", "), kEndings.back()));
   vtkSmartPointer<vtkPolyData> surface;
   if (ending == ".ply") {
     surface = readPly(path, contentOf(path, InputKind::mesh));

@@ -10,9 +10,6 @@
 
 namespace carom {
 
-/// The file endings that can be read, for messages.
-inline constexpr const char* kMeshEndings = ".obj, .stl, .ply, .vtk, .vtp, .vtu, .gltf or .glb";
-
 /// A mesh takes more time or memory than its reader may use (cave/process/subprocess.h).
 class MeshTooLarge : public InputError {
  public:

@@ -122,7 +122,7 @@ void SoftGame::takeInReach(CollisionScheduler& rigid, GameHistory& history) {
     for (const std::size_t k : reached) {
       const std::size_t puck = pucks[k];
       const CollisionScheduler::Withdrawn was = rigid.withdraw(puck, time(), history);
-      enter(puck, was, was.state.properTime, {stiffSound_, kStiffCells, kStiffViscosity},
+      enter(puck, was, was.state.properTime, {.soundSpeed = stiffSound_, .viscosity = kStiffViscosity},
             &history.worldLines()[puck]);
       for (const std::size_t stroke : was.strokes) addStroke(stroke, strokes_[stroke]);
     }

@@ -6,9 +6,6 @@
 
 namespace carom {
 
-/// The cells across a puck that is rigid in its setup and becomes soft later.
-inline constexpr int kStiffCells = 10;
-
 /// Returns the mesh of a puck that is soft from the beginning, or the one that it has when it becomes soft.
 SoftMesh softMeshOf(const Puck& puck);
 

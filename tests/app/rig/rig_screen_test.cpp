@@ -9,6 +9,7 @@
 #include <numbers>
 #include <variant>
 
+#include "app/fault_names.h"
 #include "app/input_faults.h"
 #include "app/temporary_folder.h"
 #include "cave/mesh_files/measured_bytes.h"
@@ -276,11 +277,7 @@ INSTANTIATE_TEST_SUITE_P(
                      "[100, -250, "
                      "150]\n",
               12, 1, "face somebody who looks forward"}),
-    [](const auto& given) {
-      std::string name = given.param.what;
-      std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-      return name;
-    });
+    test::nameOfFault);
 
 }  // namespace
 }  // namespace carom

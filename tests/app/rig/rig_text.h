@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "app/fault_names.h"
 #include "app/input_faults.h"
 #include "app/rig/rig.h"
 #include "app/temporary_folder.h"
@@ -58,12 +58,5 @@ inline void expectNear(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// Rig files that are wrong in one place: each test of a part of the file gives its own.
 class RigFaults : public ::testing::TestWithParam<Fault> {};
-
-/// Returns what a fault is named as, with its letters and digits alone.
-inline std::string nameOfFault(const ::testing::TestParamInfo<Fault>& tested) {
-  std::string name = tested.param.what;
-  std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-  return name;
-}
 
 }  // namespace carom::test

@@ -107,11 +107,4 @@ inline Edits headAt(const std::string& place) {
   return {{8, "kind = 'simulated'\nroom_from_tracker = { translation = " + place + " }"}};
 }
 
-/// Returns what a mistake is named as, with its letters and digits alone.
-inline std::string nameOfMistake(const ::testing::TestParamInfo<Mistake>& tested) {
-  std::string name = tested.param.what;
-  std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-  return name;
-}
-
 }  // namespace carom::test

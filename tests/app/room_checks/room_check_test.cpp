@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/fault_names.h"
 #include "app/room_checks/judged_room.h"
 #include "places.h"
 
@@ -88,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
                 33,
                 1,
                 {"rank 7 has display :0 but no wall"}}),
-    test::nameOfMistake);
+    test::nameOfFault);
 
 }  // namespace
 }  // namespace carom

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "app/fault_names.h"
 #include "app/room_checks/judged_room.h"
 #include "app/room_checks/room_check.h"
 
@@ -106,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                 10,
                 1,
                 {"100 mm before wall 'front', expected at least 200 mm"}}),
-    test::nameOfMistake);
+    test::nameOfFault);
 
 }  // namespace
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/fault_names.h"
 #include "app/room_checks/judged_room.h"
 #include "app/room_checks/room_check.h"
 
@@ -101,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
                               24,
                               10,
                               {"overlap by 100 × 500 pixels on monitor 0 of rank 0"}}),
-    test::nameOfMistake);
+    test::nameOfFault);
 
 }  // namespace
 }  // namespace carom

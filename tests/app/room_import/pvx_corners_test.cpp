@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
               1,
               {"no corners", "1000 mm ahead", "536 × 536 mm"},
               false}),
-    test::pvx::nameOfFault);
+    test::nameOfFault);
 
 }  // namespace
 }  // namespace carom

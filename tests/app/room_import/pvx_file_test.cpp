@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
               22,
               {"'LineInterlaced'", "'Interlaced'"},
               false}),
-    test::pvx::nameOfFault);
+    test::nameOfFault);
 
 TEST(PvxFile, RefusesWhatIsNoXml) {
   const std::vector<std::tuple<std::string, int, int>> files{

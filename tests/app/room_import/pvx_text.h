@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <cstddef>
 #include <string>
 
+#include "app/fault_names.h"
 #include "app/import_faults.h"
 #include "app/room_import/pvx_file.h"
 #include "app/temporary_folder.h"
@@ -36,12 +36,5 @@ inline std::string changed(std::string text, const std::string& from, const std:
 
 /// Room files that are wrong in one place: each test of a part of the file gives its own.
 class PvxFaults : public ::testing::TestWithParam<ImportFault> {};
-
-/// Returns what a fault is named as, with its letters and digits alone.
-inline std::string nameOfFault(const ::testing::TestParamInfo<ImportFault>& tested) {
-  std::string name = tested.param.what;
-  std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-  return name;
-}
 
 }  // namespace carom::test::pvx

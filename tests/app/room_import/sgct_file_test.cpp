@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "app/fault_names.h"
 #include "app/import_faults.h"
 #include "app/room_checks/room_check.h"
 #include "app/room_import/sgct_text.h"
@@ -106,11 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
               20,
               {"blendmask"},
               false}),
-    [](const auto& tested) {
-      std::string name = tested.param.what;
-      std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-      return name;
-    });
+    test::nameOfFault);
 
 TEST(SgctFile, RefusesWhatIsNoJson) {
   const std::vector<std::tuple<std::string, int, int>> files{{changed("0.0 },\n", "0/05 },\n"), 8, 52},

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <cstdio>
 #include <string>
 
+#include "app/fault_names.h"
 #include "app/input_faults.h"
 #include "app/scenario/scenario.h"
 #include "app/temporary_folder.h"
@@ -40,12 +40,5 @@ inline const std::string kOther =
 
 /// Scenario files that are wrong in one place: each test of a part of the file gives its own.
 class ScenarioFaults : public ::testing::TestWithParam<Fault> {};
-
-/// Returns what a fault is named as, with its letters and digits alone.
-inline std::string nameOfFault(const ::testing::TestParamInfo<Fault>& tested) {
-  std::string name = tested.param.what;
-  std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-  return name;
-}
 
 }  // namespace carom::test
