@@ -15,11 +15,11 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kFewest = 4;  // three corners fit almost any touches
-constexpr double kFlat_m = 0.05;    // points that deviate less from a plane tell no mirror image
-constexpr double kThin_m = 0.05;    // points that deviate less from a line leave a turn open
-constexpr double kTwice = 0.1;      // of the distance that two corners should have
-constexpr double kBehind_m = 0.03;  // a sensor so far behind a wall cannot touch it from the room
+constexpr std::size_t kFewestTouches = 4;  // three corners fit almost any touches
+constexpr double kFlat_m = 0.05;           // points that deviate less from a plane tell no mirror image
+constexpr double kThin_m = 0.05;           // points that deviate less from a line leave a turn open
+constexpr double kTwice = 0.1;             // of the distance that two corners should have
+constexpr double kBehind_m = 0.03;         // a sensor so far behind a wall cannot touch it from the room
 
 double mm(double length_m) { return 1e3 * length_m; }
 
@@ -109,7 +109,7 @@ Explanation otherOrder(std::span<const Touch> touches, std::size_t most) {
 /// Returns the corner without which the others fit best.
 Explanation oneBad(std::span<const Touch> touches, const std::vector<PointPair>& pairs) {
   Explanation best;
-  if (pairs.size() <= kFewest) return best;  // without one, too few are left
+  if (pairs.size() <= kFewestTouches) return best;  // without one, too few are left
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     std::vector<PointPair> others = pairs;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -193,10 +193,10 @@ void noteScale(std::span<const PointPair> pairs, CornerFit& judged) {
 
 CornerFit fitCorners(std::span<const Touch> touches) {
   CornerFit judged;
-  if (touches.size() < kFewest) {
+  if (touches.size() < kFewestTouches) {
     judged.faults.push_back(
         fmt::format("{} touched corners are too few, expected at least {}, not all on one wall",
-                    touches.size(), kFewest));
+                    touches.size(), kFewestTouches));
     return judged;
   }
   const std::vector<PointPair> pairs = pairsOf(touches);

@@ -10,25 +10,25 @@
 namespace carom {
 namespace {
 
-constexpr double kMostError_m = 0.010;
-constexpr double kMostMiss_m = 0.010;
+constexpr double kMostEyeError_m = 0.010;
+constexpr double kMostEyeMiss_m = 0.010;
 constexpr double kLeastSeparation_m = 0.045, kMostSeparation_m = 0.085;  // of adults and children
 
 void judgeEye(std::string_view which, const EyeFit& fit, std::span<const Sighting> sightings,
               std::vector<std::string>& faults) {
-  if (!(fit.eyeError_m <= kMostError_m)) {
+  if (!(fit.eyeError_m <= kMostEyeError_m)) {
     faults.push_back(fmt::format(
         "the place of the {} eye is open: turn the head more from sighting to sighting, left, right, up and "
         "down",
         which));
     return;
   }
-  if (!(fit.rms_m <= kMostMiss_m)) {
+  if (!(fit.rms_m <= kMostEyeMiss_m)) {
     faults.push_back(
         fmt::format("the {} eye misses its lines of sight by {:.1f} mm (rms), expected at most {:.0f} mm: "
                     "keep still while "
                     "the mark covers the corner",
-                    which, 1e3 * fit.rms_m, 1e3 * kMostMiss_m));
+                    which, 1e3 * fit.rms_m, 1e3 * kMostEyeMiss_m));
   }
   for (const Sighting& sighting : sightings) {
     const glm::dvec3 eye_m = sighting.roomFromSensor * fit.eye_m;

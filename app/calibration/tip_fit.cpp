@@ -11,9 +11,9 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kFewest = 60;    // a second at 60 Hz
-constexpr double kMostMiss_m = 0.005;  // rms: a tip that is held in a hole moves less
-constexpr double kMostError_m = 0.002;
+constexpr std::size_t kFewestPoses = 60;  // a second at 60 Hz
+constexpr double kMostTipMiss_m = 0.005;  // rms: a tip that is held in a hole moves less
+constexpr double kMostTipError_m = 0.002;
 constexpr double kLongest_m = 2.0;
 constexpr double kGlitch = 3.0;  // times the median distance
 
@@ -40,16 +40,16 @@ TipFit fitTip(std::span<const TrackerSample> samples) {
       return {{}, "the tracker sends no orientation, without which no tip is found"};
     poses.push_back(sample.pose);
   }
-  if (poses.size() < kFewest) {
+  if (poses.size() < kFewestPoses) {
     return {{},
             fmt::format("{} samples of the turning tool are too few, expected at least {}", poses.size(),
-                        kFewest)};
+                        kFewestPoses)};
   }
   TipFit tip;
   tip.fit = fitPivot(poses);
   tip.fit = fitPivot(withoutGlitches(poses, tip.fit));
-  const bool wavers = !(tip.fit.rms_m <= kMostMiss_m);
-  if (!wavers && !(tip.fit.tipError_m <= kMostError_m)) {
+  const bool wavers = !(tip.fit.rms_m <= kMostTipMiss_m);
+  if (!wavers && !(tip.fit.tipError_m <= kMostTipError_m)) {
     tip.fault =
         "the tool was turned too little to find its tip: tilt it by 30 degrees at least to all sides, and "
         "turn it "
@@ -64,7 +64,7 @@ TipFit fitTip(std::span<const TrackerSample> samples) {
         "the tip moved by {:.1f} mm (rms) while the tool was turned, expected at most {:.0f} mm: hold it in "
         "a "
         "small hole; if it was held there, the tracker's places and turns do not belong together",
-        1e3 * tip.fit.rms_m, 1e3 * kMostMiss_m);
+        1e3 * tip.fit.rms_m, 1e3 * kMostTipMiss_m);
   }
   return tip;
 }

@@ -11,6 +11,8 @@
 
 namespace carom {
 
+inline constexpr double kCoverUnit_m = 1e-3;  ///< lengths are in millimetres
+
 /// One section of a file.
 struct CoverSection {
   enum class Kind { global, cluster, local };

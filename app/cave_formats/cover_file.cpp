@@ -21,11 +21,10 @@
 namespace carom {
 namespace {
 
-constexpr double kMillimetre_m = 1e-3;
 constexpr double kUsualWidth_mm = 2000.0, kUsualHeight_mm = 1500.0, kUsualRadius_mm = 2800.0;  // COVER's
-constexpr std::array<std::string_view, 12> kQuiet{"comment",    "name",        "decoration", "ARCH",
-                                                  "swapGroup",  "swapBarrier", "type",       "resize",
-                                                  "NumWindows", "MultiPC",     "Input",      "enable"};
+constexpr std::array<std::string_view, 12> kQuietCover{"comment",    "name",        "decoration", "ARCH",
+                                                       "swapGroup",  "swapBarrier", "type",       "resize",
+                                                       "NumWindows", "MultiPC",     "Input",      "enable"};
 
 /// The groups that say what a computer draws where; the others count for the master alone.
 constexpr std::array<const char*, 5> kDrawing{"ScreenConfig", "ChannelConfig", "ViewportConfig",
@@ -59,10 +58,10 @@ CoverScreen screenOfFrustum(const std::vector<double>& f, double radius_mm) {
   screen.turn = coverTurn({f[3], f[4], f[5]});
   const auto reach_mm = [&](double angle_deg) { return std::tan(glm::radians(angle_deg)) * radius_mm; };
   const double left = -reach_mm(f[6]), right = reach_mm(f[7]), down = -reach_mm(f[8]), up = reach_mm(f[9]);
-  screen.width_m = (left + right) * kMillimetre_m;
-  screen.height_m = (down + up) * kMillimetre_m;
+  screen.width_m = (left + right) * kCoverUnit_m;
+  screen.height_m = (down + up) * kCoverUnit_m;
   const glm::dvec3 middle_mm(0.5 * (right - left), radius_mm, 0.5 * (up - down));
-  screen.middle_m = kMillimetre_m * (glm::dvec3(f[0], f[1], f[2]) + screen.turn * middle_mm);
+  screen.middle_m = kCoverUnit_m * (glm::dvec3(f[0], f[1], f[2]) + screen.turn * middle_mm);
   return screen;
 }
 
@@ -109,9 +108,9 @@ std::optional<CoverScreen> placeOf(const Part& screen, Room& room) {
     if (!value) return {};
     values[i] = *value;
   }
-  return CoverScreen{kMillimetre_m * glm::dvec3(values[2], values[3], values[4]),
-                     coverTurn({values[5], values[6], values[7]}), values[0] * kMillimetre_m,
-                     values[1] * kMillimetre_m};
+  return CoverScreen{kCoverUnit_m * glm::dvec3(values[2], values[3], values[4]),
+                     coverTurn({values[5], values[6], values[7]}), values[0] * kCoverUnit_m,
+                     values[1] * kCoverUnit_m};
 }
 
 class CoverReading {
@@ -125,14 +124,14 @@ class CoverReading {
     readCoverInput(hosts_.front().config, room_);
     if (const Part* floor = hosts_.front().config.find("FloorHeight")) {
       if (const auto height_mm = number(*floor, "value", {}, false, room_))
-        room_.floor_m = *height_mm * kMillimetre_m;
+        room_.floor_m = *height_mm * kCoverUnit_m;
     }
     const bool slavesDraw = std::any_of(hosts_.begin(), hosts_.end(), [&](const CoverHost& host) {
       return !host.isMaster && !screensOf(host, false).empty();
     });
     for (CoverHost& host : hosts_) readHost(host, slavesDraw);
     ranks_.finish();
-    nameUnread(hosts_.front().config, kQuiet, room_);
+    nameUnread(hosts_.front().config, kQuietCover, room_);
     tellFloor();
   }
 
@@ -144,7 +143,7 @@ class CoverReading {
     if (!room_.floor_m || !floor_m || std::abs(*floor_m - *room_.floor_m) < kNear_m) return;
     addWarning(room_, hosts_.front().config.find("FloorHeight")->at,
                fmt::format("FloorHeight {:g} is left out: the wall that is the floor is at {:g} mm",
-                           *room_.floor_m / kMillimetre_m, *floor_m / kMillimetre_m));
+                           *room_.floor_m / kCoverUnit_m, *floor_m / kCoverUnit_m));
   }
 
   /// The master comes first, then the computers of MultiPC/SyncMode, which are all if it names any.
@@ -267,7 +266,7 @@ class CoverReading {
         // What old files say in both a channel and its viewport.
         for (const char* twice : {"screen", "channel", "window", "windowIndex"}) element.find(twice);
       }
-      nameUnread(*found, kQuiet, room_);
+      nameUnread(*found, kQuietCover, room_);
     }
   }
 
@@ -321,7 +320,7 @@ class CoverReading {
 }  // namespace
 
 Room readCover(const std::filesystem::path& file, Part root, const std::string& wanted) {
-  Room room = roomOfFormat(file, "an OpenCOVER room", "mm", kMillimetre_m);
+  Room room = roomOfFormat(file, "an OpenCOVER room", "mm", kCoverUnit_m);
   room.axes = {.right = {1, 0, 0}, .up = {0, 0, 1}, .forward = {0, 1, 0}};
   Included(file, "INCLUDE", room).expand(root);
   CoverSections sections(root, room);

@@ -10,15 +10,16 @@
 #include <string_view>
 #include <utility>
 
+#include "app/cave_formats/cover_config.h"
 #include "app/room_checks/foreign_room.h"
 #include "app/room_parts/room_parts.h"
 
 namespace carom {
 namespace {
 
-constexpr double kMillimetre_m = 1e-3, kEyes_m = 0.064;  // COVER's default separation is 64 mm
+constexpr double kEyes_m = 0.064;  // COVER's default separation is 64 mm
 constexpr int kDtrackPort = 5000, kFirstFlystick = 100;
-constexpr std::array<std::string_view, 14> kQuiet{
+constexpr std::array<std::string_view, 14> kQuietCoverInput{
     "MouseNav", "name",         "DebugButtons",  "DebugTracking", "DebugStation",      "value",
     "Joystick", "ButtonSystem", "ButtonAddress", "HeadOnly",      "InterpolationFile", "buttons",
     "MultiPC",  "default"};
@@ -58,7 +59,7 @@ class CoverInput {
       addWarning(room_, found->at,
                  fmt::format("{} is left out: buttons and axes come with the tracker of the hand", group));
     }
-    nameUnread(*input, kQuiet, room_);
+    nameUnread(*input, kQuietCoverInput, room_);
   }
 
  private:
@@ -81,17 +82,17 @@ class CoverInput {
     }
     if (const Part* stereo = cover_.find("Stereo"); stereo && stereo->find("separation")) {
       const auto apart_mm = number(*stereo, "separation", kNotNegative, false, room_);
-      apart_m = apart_mm ? *apart_mm * kMillimetre_m : apart_m;
+      apart_m = apart_mm ? *apart_mm * kCoverUnit_m : apart_m;
       at = stereo->placeOf("separation");
     }
     if (person && person->find("eyeDistance")) {
       const auto apart_mm = number(*person, "eyeDistance", kNotNegative, false, room_);
-      apart_m = apart_mm ? *apart_mm * kMillimetre_m : apart_m;
+      apart_m = apart_mm ? *apart_mm * kCoverUnit_m : apart_m;
       at = person->placeOf("eyeDistance");
     }
     glm::dvec3 eyes_m(0.0);
     if (const Part* position = cover_.find("ViewerPosition"))
-      eyes_m = kMillimetre_m * xyzOf(*position, {"x", "y", "z"}, room_);
+      eyes_m = kCoverUnit_m * xyzOf(*position, {"x", "y", "z"}, room_);
     addPerson(
         person ? person->textOf("name") : "viewer", apart_m, eyes_m, at,
         cover_.find("ViewerPosition") ? "the viewer at ViewerPosition" : "a viewer at the file's origin",
@@ -186,7 +187,7 @@ class CoverInput {
     for (const auto& [name, metres] : kUnits) {
       if (alike(unit.text, name)) return metres;
     }
-    return kMillimetre_m * numberOf(unit, {}, false, room_).value_or(0.0);
+    return kCoverUnit_m * numberOf(unit, {}, false, room_).value_or(0.0);
   }
 
   /// Returns the number of a sensor: bodies count as they are, F1 is the first Flystick.
@@ -269,7 +270,7 @@ class CoverInput {
 Pose coverPose(const Part& whole, Room& room) {
   Pose pose;
   if (const Part* offset = whole.find("Offset"))
-    pose.position_m = kMillimetre_m * xyzOf(*offset, {"x", "y", "z"}, room);
+    pose.position_m = kCoverUnit_m * xyzOf(*offset, {"x", "y", "z"}, room);
   if (const Part* turn = whole.find("Orientation")) {
     const glm::dvec3 hpr = glm::radians(xyzOf(*turn, {"h", "p", "r"}, room));
     pose.orientation = glm::angleAxis(hpr.x, glm::dvec3(0, 0, 1)) *

@@ -13,8 +13,6 @@ namespace carom {
 namespace {
 
 constexpr glm::ivec2 kUsualWindow_px{1024, 768};
-constexpr Range kSize_px{.least = 1.0, .most = kMostRoomPixels},
-    kPlace_px{.least = -65536.0, .most = 65536.0};
 
 }  // namespace
 
@@ -50,9 +48,9 @@ void CoverWindows::placeOnWindow(const CoverChannel& channel, RoomWall& wall) {
     return static_cast<int>(window ? number(*window, name, range, false, room_).value_or(usual) : usual);
   };
   WindowPlacement placed;
-  placed.position_px = {pixels("left", kPlace_px, 0), pixels("top", kPlace_px, 0)};
-  placed.size_px = {pixels("width", kSize_px, kUsualWindow_px.x),
-                    pixels("height", kSize_px, kUsualWindow_px.y)};
+  placed.position_px = {pixels("left", kWindowPlace_px, 0), pixels("top", kWindowPlace_px, 0)};
+  placed.size_px = {pixels("width", kWindowSize_px, kUsualWindow_px.x),
+                    pixels("height", kWindowSize_px, kUsualWindow_px.y)};
   if (window) wall.at.window = window->at;
   if (!viewport) return placeInWindow(placed, {0, 0}, placed.size_px, wall, room_);
   wall.at.pixels = viewport->at;
@@ -97,7 +95,7 @@ const Part* CoverWindows::windowOf(const CoverChannel& channel, const Part* view
 glm::dvec2 CoverWindows::edgesOf(const Part& viewport, std::array<std::string_view, 3> names,
                                  double whole_px) {
   const auto pixels = [&](std::string_view name) -> std::optional<double> {
-    const auto value = number(viewport, name, kPlace_px, false, room_);
+    const auto value = number(viewport, name, kWindowPlace_px, false, room_);
     return value ? std::optional(*value > 1.0 ? *value : *value * whole_px) : std::nullopt;
   };
   const double low = pixels(names[0]).value_or(0.0);

@@ -17,7 +17,7 @@ namespace carom {
 namespace {
 
 constexpr glm::ivec2 kAssumedPipe_px{1920, 1080};
-constexpr std::array<std::string_view, 13> kQuiet{
+constexpr std::array<std::string_view, 13> kQuietEqualizer{
     "latency",        "swapbarrier", "connection", "attributes",   "global", "name",       "swap_barrier",
     "view_equalizer", "robustness",  "warp",       "thread_model", "task",   "outputframe"};
 
@@ -60,7 +60,7 @@ ReadCorners cut(const ReadCorners& wall, const Share& share) {
 }
 
 /// Returns the first address of a node; none for the computer itself.
-std::string hostOf(const Part& node) {
+std::string equalizerHost(const Part& node) {
   std::string host;
   for (const Part* connection : node.all("connection")) {
     if (host.empty()) host = connection->textOf("hostname");
@@ -292,7 +292,8 @@ class EqcReading {
     wall.wall.name = name.text;
     wall.wall.stereo = stereoOf(eyes, channel);
     place(channel, wall);
-    wall.wall.node = ranks_.of(hostOf(*channel.node), displayOf(*channel.pipe, room_), channel.node->at);
+    wall.wall.node =
+        ranks_.of(equalizerHost(*channel.node), displayOf(*channel.pipe, room_), channel.node->at);
     addWall(std::move(wall), corners, room_);
   }
 
@@ -374,7 +375,7 @@ Room readEqc(const std::filesystem::path& file, const Part& root, const std::str
   } else {
     EqcReading(*config, root.find("global"), room).read();
   }
-  nameUnread(root, kQuiet, room);
+  nameUnread(root, kQuietEqualizer, room);
   room.assumptions.push_back("lengths are metres, axes x right, y up, z back, as Equalizer has them");
   room.assumptions.push_back("each pipe with walls is drawn by an MPI rank, those of the appNode first");
   room.assumptions.push_back("walls whose window asks for no stereo are mono, but for those of one eye");

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kEyeSeparation_m = 0.065;  // HEVS's default
 constexpr glm::ivec2 kAssumedWindow_px{1920, 1080};
-constexpr std::array<std::string_view, 10> kQuiet{
+constexpr std::array<std::string_view, 10> kQuietHevs{
     "index", "globals", "type", "cluster", "layers", "cull_layers", "fov", "near", "far", "hardware_synced"};
 
 struct HevsStereo {
@@ -82,7 +82,7 @@ std::optional<glm::dvec3> cornerOf(const Part& display, std::string_view name, c
   return place * glm::dvec3((*values)[0], (*values)[1], -(*values)[2]);
 }
 
-std::string hostOf(const Part& node) {
+std::string hevsHost(const Part& node) {
   const Part* address = node.find("address");
   const std::string host = address ? address->text : node.name;
   return host == "localhost" || host == "127.0.0.1" ? "" : host;
@@ -215,7 +215,7 @@ class HevsPlatform {
                       "expected offaxis, curved or dome",
                       printable(found->name), type.empty() ? "standard" : printable(type)));
     }
-    nameUnread(display, kQuiet, room_);
+    nameUnread(display, kQuietHevs, room_);
   }
 
   void readFlat(const Part& display, const HevsNode& node) {
@@ -259,7 +259,7 @@ class HevsPlatform {
                  fmt::format("node '{}' has no resolution: a window of {} × {} pixels is taken",
                              printable(node.part.name), window.size_px.x, window.size_px.y));
     }
-    wall.wall.node = ranks_.of(hostOf(node.part), "", node.part.at);
+    wall.wall.node = ranks_.of(hevsHost(node.part), "", node.part.at);
     return wall;
   }
 
@@ -290,7 +290,7 @@ class HevsPlatform {
       found->markRead();
       addWarning(room_, found->at, fmt::format("{} is left out: it has no place in a rig", input));
     }
-    nameUnread(platform_, kQuiet, room_);
+    nameUnread(platform_, kQuietHevs, room_);
   }
 
   const Part& platform_;

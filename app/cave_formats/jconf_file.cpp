@@ -18,27 +18,25 @@
 namespace carom {
 namespace {
 
-constexpr Range kSize_px{.least = 1.0, .most = kMostRoomPixels},
-    kPlace_px{.least = -65536.0, .most = 65536.0};
 constexpr std::array<std::string_view, 4> kCorners{"lower_left_corner", "lower_right_corner",
                                                    "upper_right_corner", "upper_left_corner"};
 using JconfCorners = std::array<std::optional<glm::dvec3>, 4>;
-constexpr std::array<std::string_view, 16> kQuiet{"name",
-                                                  "number_of_pipes",
-                                                  "listen_port",
-                                                  "version",
-                                                  "frame_buffer_config",
-                                                  "border",
-                                                  "hide_mouse",
-                                                  "always_on_top",
-                                                  "lock_key",
-                                                  "allow_mouse_locking",
-                                                  "start_locked",
-                                                  "sleep_time",
-                                                  "keyboard_mouse_device_name",
-                                                  "tracker_proxy",
-                                                  "event_window_device",
-                                                  "use_swap_group"};
+constexpr std::array<std::string_view, 16> kQuietJuggler{"name",
+                                                         "number_of_pipes",
+                                                         "listen_port",
+                                                         "version",
+                                                         "frame_buffer_config",
+                                                         "border",
+                                                         "hide_mouse",
+                                                         "always_on_top",
+                                                         "lock_key",
+                                                         "allow_mouse_locking",
+                                                         "start_locked",
+                                                         "sleep_time",
+                                                         "keyboard_mouse_device_name",
+                                                         "tracker_proxy",
+                                                         "event_window_device",
+                                                         "use_swap_group"};
 
 /// Returns two numbers, each in an element of its own.
 std::optional<glm::dvec2> pairOf(const Part& element, std::string_view name, const Range& range, bool whole,
@@ -102,7 +100,7 @@ class JconfReading {
           "windows' origins count from the lower left of their display, whose height the file does not say: "
           "they "
           "are taken as from its upper left");
-    nameUnread(elements_, kQuiet, room_);
+    nameUnread(elements_, kQuietJuggler, room_);
   }
 
  private:
@@ -147,8 +145,8 @@ class JconfReading {
     }
     const Part* viewports = window.find("surface_viewports");
     if (!viewports || viewports->parts.empty()) return;
-    const auto position = pairOf(window, "origin", kPlace_px, true, room_);
-    const auto size = pairOf(window, "size", kSize_px, true, room_);
+    const auto position = pairOf(window, "origin", kWindowPlace_px, true, room_);
+    const auto size = pairOf(window, "size", kWindowSize_px, true, room_);
     if (!position || !size) return;
     WindowPlacement placed;
     placed.position_px = glm::ivec2(*position);

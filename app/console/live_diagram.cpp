@@ -13,7 +13,7 @@ constexpr double kEvery_s = 0.1;        // update interval of the chart
 constexpr double kShown_s = 5.0;        // shown below the present event
 constexpr double kKept_s = 6.0;         // kept of the viewer's world line, board time
 constexpr float kLeastTick_px = 40.0F;  // from one number of an axis to the next
-constexpr float kLeft_px = 60, kRight_px = 270, kTop_px = 40, kBottom_px = 40;
+constexpr float kLeftMargin_px = 60, kRightMargin_px = 270, kTopMargin_px = 40, kBottomMargin_px = 40;
 
 ImU32 inkOf(const glm::vec3& colour) {
   return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F});
@@ -26,7 +26,8 @@ class Paper {
   /// chart are in sight.
   Paper(const Chart& chart, ImDrawList& list, const ImVec2& origin, const ImVec2& size)
       : chart_(chart), list_(list), origin_(origin), size_(size) {
-    const double wide_px = size.x - kLeft_px - kRight_px, high_px = size.y - kTop_px - kBottom_px;
+    const double wide_px = size.x - kLeftMargin_px - kRightMargin_px,
+                 high_px = size.y - kTopMargin_px - kBottomMargin_px;
     px_m_ =
         std::min(wide_px / (chart.xRange.y - chart.xRange.x), high_px / (chart.yRange.y - chart.yRange.x));
     const double middle_m = (chart.xRange.x + chart.xRange.y) / 2;
@@ -39,10 +40,10 @@ class Paper {
     const ImVec2 end{origin_.x + size_.x, origin_.y + size_.y};
     list_.PushClipRect(origin_, end, true);
     list_.AddRectFilled(origin_, end, IM_COL32_WHITE);
-    text({origin_.x + kLeft_px, origin_.y + 8}, chart_.title);
+    text({origin_.x + kLeftMargin_px, origin_.y + 8}, chart_.title);
     drawAxes();
-    list_.PushClipRect({origin_.x + kLeft_px, origin_.y + kTop_px}, {end.x - kRight_px, end.y - kBottom_px},
-                       true);
+    list_.PushClipRect({origin_.x + kLeftMargin_px, origin_.y + kTopMargin_px},
+                       {end.x - kRightMargin_px, end.y - kBottomMargin_px}, true);
     for (const ChartLine& line : chart_.lines) drawLine(line);
     list_.PopClipRect();
     drawLegend();
@@ -51,8 +52,8 @@ class Paper {
 
  private:
   ImVec2 at(const glm::dvec2& point) const {
-    return {origin_.x + kLeft_px + static_cast<float>((point.x - xRange_.x) * px_m_),
-            origin_.y + size_.y - kBottom_px - static_cast<float>((point.y - chart_.yRange.x) * px_m_)};
+    return {origin_.x + kLeftMargin_px + static_cast<float>((point.x - xRange_.x) * px_m_),
+            origin_.y + size_.y - kBottomMargin_px - static_cast<float>((point.y - chart_.yRange.x) * px_m_)};
   }
 
   void text(const ImVec2& where, const std::string& words) const {
@@ -81,8 +82,9 @@ class Paper {
       const ImVec2 foot = at({xRange_.x, y});
       text({foot.x - 32, foot.y - 9}, std::to_string(static_cast<int>(y)));
     }
-    text({origin_.x + size_.x - kRight_px - 40, origin_.y + size_.y - kBottom_px + 18}, chart_.xTitle);
-    text({origin_.x + 8, origin_.y + kTop_px - 24}, chart_.yTitle);
+    text({origin_.x + size_.x - kRightMargin_px - 40, origin_.y + size_.y - kBottomMargin_px + 18},
+         chart_.xTitle);
+    text({origin_.x + 8, origin_.y + kTopMargin_px - 24}, chart_.yTitle);
   }
 
   /// Draws a dashed line; dots are short dashes. Draws only what lies in the rectangle, because axes are
@@ -122,10 +124,10 @@ class Paper {
   }
 
   void drawLegend() const {
-    float y = origin_.y + kTop_px;
+    float y = origin_.y + kTopMargin_px;
     for (const ChartLine& line : chart_.lines) {
       if (line.name.empty()) continue;
-      const float x = origin_.x + size_.x - kRight_px + 12;
+      const float x = origin_.x + size_.x - kRightMargin_px + 12;
       if (line.style == ChartLine::Style::marks) {
         list_.AddCircleFilled({x + 13, y + 9}, line.width_px / 2, inkOf(line.colour));
       } else {

@@ -14,7 +14,7 @@
 namespace carom::console {
 namespace {
 
-constexpr float kBeside_em = 7.5F;                  // width left beside a slider
+constexpr float kBesideSlider_em = 7.5F;            // width left beside a slider
 constexpr float kTicks_em = 3.0F, kKeys_em = 2.0F;  // columns of the effects
 
 /// Returns the width that the words beside the sliders need.
@@ -23,7 +23,7 @@ float besideSlider_px() {
   const float light_px = widthOf({texts::console::kLight}, 0.0F) + widthOf({texts::console::kUsual}, 0.0F) +
                          2.0F * (style.ItemSpacing.x + style.FramePadding.x);
   const float eyes_px = widthOf({texts::console::kBetweenEyes}, 0.0F) + style.ItemInnerSpacing.x;
-  return std::max({kBeside_em * ImGui::GetFontSize(), light_px, eyes_px});
+  return std::max({kBesideSlider_em * ImGui::GetFontSize(), light_px, eyes_px});
 }
 
 void drawKey(const std::string& key) {

@@ -18,7 +18,7 @@ namespace carom::console {
 namespace {
 
 constexpr float kListWidth = 0.46F;  // fraction of the panel
-constexpr float kBeside_em = 34.0F;  // a panel narrower than this has the list above the game
+constexpr float kNarrow_em = 34.0F;  // a panel narrower than this has the list above the game
 
 /// Draws a mark at the right edge of a title's line if there is room beside the title.
 void markAtRight(const std::string& title, const char* mark) {
@@ -163,7 +163,7 @@ void GamesPanel::draw(const ConsoleFrame& frame) {
   const Playlist* const playlist = frame.settings.playlist.get();
   if (playlist && playlist != playlist_) restrictTo(*playlist);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const bool isNarrow = room.x < kBeside_em * ImGui::GetFontSize();
+  const bool isNarrow = room.x < kNarrow_em * ImGui::GetFontSize();
   ImGui::BeginChild("##list", isNarrow ? ImVec2(0.0F, 0.5F * room.y) : ImVec2(kListWidth * room.x, 0.0F));
   drawList(frame);
   ImGui::EndChild();

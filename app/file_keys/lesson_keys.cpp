@@ -21,7 +21,7 @@ FileKey words(std::string_view name, std::string_view sentence, std::size_t lett
   return required(ofLetters(letters, text(name, sentence)));
 }
 
-FileKey body() { return required(text("body", "name of the puck or body")); }
+FileKey namedBody() { return required(text("body", "name of the puck or namedBody")); }
 
 FileKey stopwatch() {
   return drawings("stopwatch", "a time that is read while the lesson shows and explains",
@@ -39,7 +39,7 @@ FileKey stopwatch() {
                    numbers("stands_m", 3, {}, "where a plate with the reading stands")});
 }
 
-FileKey effectsKey() {
+FileKey offersEffects() {
   FileKey effects = declare::texts(
       "offers_effects",
       "while it shows, buttons turn these effects off and on; it explains with them as they were at first");
@@ -73,7 +73,7 @@ FileKey lessonKeys() {
        viewsKey("views of time that it begins with"),
        viewsKey("views of time that are on while it explains", "explains_views"),
        flag("offers_spacetime", "while it explains, a button shows the game's spacetime in the room"),
-       effectsKey(),
+       offersEffects(),
        required(
            number("from_s", kNotNegative, "board time at the observer at which the lesson begins to show")),
        required(number("until_s", kPositive,
@@ -97,11 +97,11 @@ FileKey lessonKeys() {
                      {required(text("name", "on the button")),
                       required(numbers("beta", 3, {}, "v/c on the board"))})),
        stopwatch(),
-       drawings("counter", "a plate above a body that counts the flashes that the observer has seen",
-                {body(), required(text("flashes", "how the names of the flashes begin"))}),
+       drawings("counter", "a plate above a namedBody that counts the flashes that the observer has seen",
+                {namedBody(), required(text("flashes", "how the names of the flashes begin"))}),
        drawings(
-           "gauge", "a plate above a body with what is true of it where it is seen",
-           {body(),
+           "gauge", "a plate above a namedBody with what is true of it where it is seen",
+           {namedBody(),
             choice("shows", {"speed", "apparent speed", "gamma", "seen length"},
                    "its speed over c in the observer's room, the speed with which it is seen to move over "
                    "c, its Lorentz factor, or how long it looks along its motion",
@@ -111,8 +111,8 @@ FileKey lessonKeys() {
                  required(numbers("at_m", 3, {}, "its foot")),
                  flag("explains", "it stands there only while the lesson explains")}),
        drawings("arrow", "an arrow from above to what the wall speaks of",
-                {text("body", "name of the puck or body, as it is seen"),
-                 numbers("at_m", 3, {}, "without a body, the place"),
+                {text("body", "name of the puck or namedBody, as it is seen"),
+                 numbers("at_m", 3, {}, "without a namedBody, the place"),
                  flag("explains", "it stands there while the lesson explains, and not while it shows")}),
        drawings("line", "a straight line on the cloth",
                 {required(numbers("from_m", 3, {}, "its one end")),

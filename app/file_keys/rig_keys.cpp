@@ -158,10 +158,11 @@ FileKey tracker() {
                    "that is plugged in"),
               choice("unit", kLengthUnits, "of trackd: of the lengths that its daemon writes", kFoot),
               ofLetters(100, ofSize(0, 64,
-                                    texts("names",
-                                          "of qtm and survive: the bodies or devices that are sensors 0, 1, "
-                                          "…; left out: all that there "
-                                          "are, in QTM's order, or in the order in which they come"))),
+                                    declare::texts(
+                                        "names",
+                                        "of qtm and survive: the bodies or devices that are sensors 0, 1, "
+                                        "…; left out: all that there "
+                                        "are, in QTM's order, or in the order in which they come"))),
               osc(), pose("room_from_tracker", "takes the tracker's coordinates to the room's")}));
 }
 
@@ -188,8 +189,9 @@ FileKey start() {
                                                "65535, such as 47000-47099, for a "
                                                "firewall between the computers; left out: any")),
        fitting("^[A-Za-z_][A-Za-z0-9_]*(=|$)",
-               texts("environment",
-                     "variables of every node, as NAME=VALUE, or as NAME with the value that it has here"))});
+               declare::texts(
+                   "environment",
+                   "variables of every node, as NAME=VALUE, or as NAME with the value that it has here"))});
 }
 
 FileKey headset() {
@@ -273,12 +275,12 @@ FileKey wall() {
       text("viewer", "name of the [[viewer]] whose eyes it shows"),
       ofSize(
           1, 2,
-          fitting(
-              "^([A-Za-z0-9_-]+\\.)?(left|middle|right)$",
-              texts("eyes",
-                    "the eye in each channel of the stereo mode, such as [\"anna.left\", \"ben.left\"], or "
-                    "middle for one picture for both eyes of a person; left out: left and right of the "
-                    "viewer")))};
+          fitting("^([A-Za-z0-9_-]+\\.)?(left|middle|right)$",
+                  declare::texts(
+                      "eyes",
+                      "the eye in each channel of the stereo mode, such as [\"anna.left\", \"ben.left\"], or "
+                      "middle for one picture for both eyes of a person; left out: left and right of the "
+                      "viewer")))};
   for (FileKey& key : screenKeys()) keys.push_back(std::move(key));
   for (FileKey& key : projectorKeys()) keys.push_back(std::move(key));
   FileKey walls = ofSize(1, kMostWalls, tables("wall", "a screen", std::move(keys)));

@@ -17,7 +17,7 @@ FileKey id(std::string_view name, std::string_view sentence) {
   return fitting(kId, ofLetters(kMostNameLetters, text(name, sentence)));
 }
 
-FileKey effectsKey() {
+FileKey switchesOffKey() {
   FileKey effects = declare::texts("switches_off", "effects that are off for the people of this arm");
   for (const NamedSwitch& row : kNamedSwitches) effects.choices.emplace_back(row.name);
   return effects;
@@ -38,7 +38,7 @@ FileKey armKeys() {
               required(text("rig", "a name that carom list tells, or a file, looked for beside the study")),
               choice("head", {"tracked", "still"},
                      "still: the eyes stay where they were when the lesson began", 0),
-              effectsKey(), viewsOffKey()})));
+              switchesOffKey(), viewsOffKey()})));
 }
 
 }  // namespace

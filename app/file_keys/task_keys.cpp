@@ -6,7 +6,9 @@ namespace {
 using namespace declare;
 
 /// Returns the names of two pucks.
-FileKey two(std::string_view name, std::string_view sentence) { return ofSize(2, 2, texts(name, sentence)); }
+FileKey two(std::string_view name, std::string_view sentence) {
+  return ofSize(2, 2, declare::texts(name, sentence));
+}
 
 FileKey goal() {
   FileKey keys =

@@ -8,6 +8,9 @@
 
 namespace carom {
 
+/// A mouse that points farther over the cloth, near the horizon, points nowhere.
+inline constexpr double kFarthestOnCloth_m = 10.0;
+
 struct DeskInput {
   std::optional<PointedWall> mouse;  ///< empty if the mouse is over no wall
   bool mouseHeld = false;            ///< left button

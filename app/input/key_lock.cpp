@@ -15,7 +15,7 @@ constexpr std::array kLocked{GLFW_KEY_ESCAPE, GLFW_KEY_Q,           GLFW_KEY_T, 
                              GLFW_KEY_KP_ADD, GLFW_KEY_KP_SUBTRACT, GLFW_KEY_MINUS};
 constexpr std::size_t kLongest = 32;  // of what is typed
 
-char digitOf(int key) {
+char typedDigit(int key) {
   if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return static_cast<char>('0' + (key - GLFW_KEY_0));
   if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return static_cast<char>('0' + (key - GLFW_KEY_KP_0));
   return 0;
@@ -39,7 +39,7 @@ bool KeyLock::takes(const KeyInput& key) {
     return true;
   }
   if (!isTyping_ || !key.pressed) return isLocked;
-  if (const char digit = digitOf(key.key); digit != 0) {
+  if (const char digit = typedDigit(key.key); digit != 0) {
     if (typed_.size() < kLongest) typed_ += digit;
     return true;
   }

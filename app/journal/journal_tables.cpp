@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-constexpr int kBusy_ms = 2000;  // how long to wait for a reader of the file
+constexpr int kWriterWaits_ms = 2000;  // how long to wait for a reader of the file
 
 // The tables besides those of the frames (frameTables).
 constexpr const char* kTables = R"(
@@ -92,7 +92,7 @@ void Batch::clear() {
 }
 
 JournalTables::JournalTables(const std::filesystem::path& file)
-    : database_(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusy_ms) {
+    : database_(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kWriterWaits_ms) {
   database_.exec("PRAGMA journal_mode = WAL");
   // Safe for a killed program; a power failure may lose the last seconds, but never the file.
   database_.exec("PRAGMA synchronous = NORMAL");

@@ -50,7 +50,7 @@ bool hasBeside(const std::filesystem::path& file) {
   return !absent && bytes > 0;
 }
 
-constexpr int kBusy_ms = 1000;
+constexpr int kReaderWaits_ms = 1000;
 
 /// Takes back what a process was writing when it was killed, which it has noted in FILE-journal: a reader
 /// that may not write cannot, and would find the file damaged.
@@ -58,7 +58,7 @@ void takeBackUnfinished(const std::filesystem::path& file) {
   std::filesystem::path notes = file;
   if (!std::filesystem::exists(notes += "-journal")) return;
   try {
-    SQLite::Database(file.string(), SQLite::OPEN_READWRITE, kBusy_ms)
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE, kReaderWaits_ms)
         .execAndGet("SELECT count(*) FROM sqlite_schema");
   } catch (const SQLite::Exception&) {  // who reads it then says why not
   }
@@ -68,7 +68,7 @@ void takeBackUnfinished(const std::filesystem::path& file) {
 
 struct SessionFile::Tables {
   explicit Tables(const std::filesystem::path& file)
-      : database((takeBackUnfinished(file), file.string()), SQLite::OPEN_READONLY, kBusy_ms) {}
+      : database((takeBackUnfinished(file), file.string()), SQLite::OPEN_READONLY, kReaderWaits_ms) {}
   void prepare(double lightSpeed_m_s) {
     frames.emplace(database, lightSpeed_m_s);
     // Two key lookups; both in one SELECT would read every row.

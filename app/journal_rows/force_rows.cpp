@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-SQLite::Database& created(SQLite::Database& database) {
+SQLite::Database& withForceTable(SQLite::Database& database) {
   database.exec(
       fmt::format("CREATE TABLE IF NOT EXISTS force(frame INTEGER, viewer INTEGER{}, PRIMARY KEY(frame, "
                   "viewer)) WITHOUT ROWID",
@@ -19,7 +19,7 @@ SQLite::Database& created(SQLite::Database& database) {
 }  // namespace
 
 ForceWriter::ForceWriter(SQLite::Database& database)
-    : row_(created(database), insertInto("force", "frame, viewer" + namesOf<ForceView>().text())) {}
+    : row_(withForceTable(database), insertInto("force", "frame, viewer" + namesOf<ForceView>().text())) {}
 
 void ForceWriter::write(const FrameRecord& record) {
   for (std::size_t viewer = 0; viewer < record.viewerCount; ++viewer) {

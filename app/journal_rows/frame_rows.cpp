@@ -93,7 +93,7 @@ void FrameReader::goTo(std::uint64_t number, bool changesOnly) {
 }
 
 std::optional<std::uint64_t> FrameReader::step() {
-  if (!frames().executeStep()) return std::nullopt;
+  if (frames().isDone() || !frames().executeStep()) return std::nullopt;
   return static_cast<std::uint64_t>(frames().getColumn(0).getInt64());
 }
 

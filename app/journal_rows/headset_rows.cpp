@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-SQLite::Database& created(SQLite::Database& database) {
+SQLite::Database& withHeadsetTable(SQLite::Database& database) {
   database.exec(fmt::format("CREATE TABLE IF NOT EXISTS headset(frame INTEGER PRIMARY KEY{})",
                             namesOf<HeadsetState>().text()));
   return database;
@@ -17,7 +17,7 @@ SQLite::Database& created(SQLite::Database& database) {
 }  // namespace
 
 HeadsetWriter::HeadsetWriter(SQLite::Database& database)
-    : row_(created(database), insertInto("headset", "frame" + namesOf<HeadsetState>().text())) {}
+    : row_(withHeadsetTable(database), insertInto("headset", "frame" + namesOf<HeadsetState>().text())) {}
 
 void HeadsetWriter::write(const FrameRecord& record) {
   if (!record.headset.isWorn) return;

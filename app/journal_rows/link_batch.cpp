@@ -18,8 +18,8 @@ CREATE TABLE IF NOT EXISTS link(frame INTEGER, room INTEGER, state TEXT, heard I
   promise_t_s REAL, promise_x_m REAL, promise_y_m REAL, promise_z_m REAL, viewer TEXT, waits INTEGER, pace REAL,
   digest_s INTEGER);
 CREATE INDEX IF NOT EXISTS link_of_frame ON link(frame);
-CREATE TABLE IF NOT EXISTS link_person(frame INTEGER, room INTEGER, viewer TEXT, number INTEGER, t_s REAL, x_m REAL,
-  y_m REAL, z_m REAL, proper_time_s REAL, person INTEGER{});
+CREATE TABLE IF NOT EXISTS link_person(frame INTEGER, room INTEGER, viewer TEXT, number INTEGER, t_s, x_m, y_m, z_m,
+  proper_time_s, person INTEGER{});
 CREATE INDEX IF NOT EXISTS link_person_of_frame ON link_person(frame);
 CREATE TABLE IF NOT EXISTS link_note(frame INTEGER, room INTEGER, what TEXT, value TEXT);
 )";

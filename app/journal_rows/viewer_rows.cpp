@@ -23,13 +23,13 @@ void putVector(Row& row, Vector& v) {
 
 std::string viewerTables() {
   return fmt::format(
-      "CREATE TABLE viewer(frame INTEGER, name TEXT, t_s REAL, x_m REAL, y_m REAL, z_m REAL, proper_time_s "
-      "REAL, "
-      "room_x_m REAL, room_y_m REAL, room_z_m REAL, lapse REAL, celerity_x_m_s REAL, celerity_y_m_s REAL, "
-      "celerity_z_m_s REAL, known TEXT, PRIMARY KEY(frame, name)) WITHOUT ROWID;\n"
-      "CREATE TABLE platform(frame INTEGER PRIMARY KEY, room_s REAL, u_x REAL, u_y REAL, u_z REAL, qw REAL, "
-      "qx "
-      "REAL, qy REAL, qz REAL, thrust_x_m_s2 REAL, thrust_y_m_s2 REAL, thrust_z_m_s2 REAL);\n"
+      "CREATE TABLE viewer(frame INTEGER, name TEXT, t_s, x_m, y_m, z_m, proper_time_s, room_x_m, room_y_m, "
+      "room_z_m, lapse, celerity_x_m_s, celerity_y_m_s, celerity_z_m_s, known TEXT, PRIMARY KEY(frame, "
+      "name)) "
+      "WITHOUT ROWID;\n"
+      "CREATE TABLE platform(frame INTEGER PRIMARY KEY, room_s, u_x, u_y, u_z, qw, qx, qy, qz, "
+      "thrust_x_m_s2, "
+      "thrust_y_m_s2, thrust_z_m_s2);\n"
       "CREATE TABLE other_viewer(frame INTEGER, viewer INTEGER{}, PRIMARY KEY(frame, viewer)) WITHOUT "
       "ROWID;\n",
       namesOf<ViewerState>().text());

@@ -67,8 +67,6 @@ DiagramSubject subjectOf(const DiagramOptions& options) {
   return subject;
 }
 
-bool isScenario(const std::filesystem::path& source) { return source.extension() == ".toml"; }
-
 /// Returns the language that was asked for, or that of a session's first viewer.
 std::string languageOf(const DiagramOptions& options) {
   if (!options.language.empty()) return options.language;

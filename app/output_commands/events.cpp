@@ -25,7 +25,7 @@ namespace {
 constexpr double kPlayed_s = 10.0;  // default duration of a scenario
 
 /// The content of the table.
-struct Subject {
+struct EventsSubject {
   std::string title;
   double c_m_s = 1.0;
   std::vector<std::string> pucks, flashes;  // names
@@ -34,8 +34,8 @@ struct Subject {
   std::vector<std::vector<HeadAt>> heads;  // of each of them
 };
 
-Subject subjectOf(const Scenario& scenario) {
-  Subject subject;
+EventsSubject subjectWithNames(const Scenario& scenario) {
+  EventsSubject subject;
   subject.title = scenario.title;
   subject.c_m_s = scenario.billiard.lightSpeed_m_s;
   for (const Puck& puck : scenario.billiard.pucks) subject.pucks.push_back(puck.name);
@@ -47,8 +47,8 @@ void keepUntil(std::vector<GameEvent>& events, double until_s) {
   std::erase_if(events, [until_s](const GameEvent& event) { return !(event.at.t_s <= until_s); });
 }
 
-Subject played(const Scenario& scenario, double until_s) {
-  Subject subject = subjectOf(scenario);
+EventsSubject played(const Scenario& scenario, double until_s) {
+  EventsSubject subject = subjectWithNames(scenario);
   Billiard billiard(scenario.billiard);
   billiard.advanceTo(until_s);
   subject.events.assign(billiard.events().begin(), billiard.events().end());
@@ -57,7 +57,7 @@ Subject played(const Scenario& scenario, double until_s) {
 }
 
 /// Adds the people of another room, as the frames told of them: when they saw it, too.
-void addTold(Subject& subject, const std::vector<std::vector<HeadAt>>& told,
+void addTold(EventsSubject& subject, const std::vector<std::vector<HeadAt>>& told,
              const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < told.size(); ++i) {
     if (told[i].empty()) continue;
@@ -67,11 +67,11 @@ void addTold(Subject& subject, const std::vector<std::vector<HeadAt>>& told,
 }
 
 /// Returns the final state of the recorded game.
-Subject recorded(const EventsOptions& options) {
+EventsSubject recorded(const EventsOptions& options) {
   SessionFile session(options.source, options.game);
   const Scenario scenario = session.scenario();
   sayGame(session, scenario.title);
-  Subject subject = subjectOf(scenario);
+  EventsSubject subject = subjectWithNames(scenario);
   subject.viewers = session.facts().viewers;
   subject.heads.resize(subject.viewers.size());
   std::vector<std::vector<HeadAt>> told(kMostViewers);
@@ -126,7 +126,7 @@ struct SeenEvent {
 };
 using EventColumns = std::vector<CsvColumn<SeenEvent>>;
 
-std::vector<SeenEvent> seenEvents(const Subject& subject, const std::vector<EventRow>& rows) {
+std::vector<SeenEvent> seenEvents(const EventsSubject& subject, const std::vector<EventRow>& rows) {
   std::vector<SeenEvent> events;
   for (const EventRow& row : rows) {
     events.push_back({row, &row == &rows.back() ? nullptr : &row + 1, {}});
@@ -174,7 +174,7 @@ void addRelation(EventColumns& columns, double c_m_s) {
 }
 
 /// Adds the columns of when each viewer saw the event, and when its light arrived at each place.
-void addReceptions(EventColumns& columns, const Subject& subject, const EventsOptions& options) {
+void addReceptions(EventColumns& columns, const EventsSubject& subject, const EventsOptions& options) {
   for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
     const std::string name = viewer == 0 ? "seen" : fmt::format("seen_by_{}", subject.viewers[viewer]);
     const auto ofReception = [viewer](const auto& value) {
@@ -195,7 +195,7 @@ void addReceptions(EventColumns& columns, const Subject& subject, const EventsOp
   }
 }
 
-EventColumns columnsOf(const Subject& subject, const EventsOptions& options) {
+EventColumns columnsOf(const EventsSubject& subject, const EventsOptions& options) {
   const auto ofGame = [](const auto& value) {
     return [value](const SeenEvent& event) { return value(event.row.event); };
   };
@@ -224,7 +224,7 @@ EventColumns columnsOf(const Subject& subject, const EventsOptions& options) {
   return columns;
 }
 
-std::string receptionsText(const Subject& subject, const EventRow& row, const EventsOptions& options) {
+std::string receptionsText(const EventsSubject& subject, const EventRow& row, const EventsOptions& options) {
   std::string text;
   for (std::size_t viewer = 0; viewer < subject.viewers.size(); ++viewer) {
     const auto seen = receptionBy(subject.heads[viewer], row.event.at, subject.c_m_s);
@@ -261,7 +261,8 @@ std::string pairText(const EventRow& row, const EventRow& next, double c_m_s, bo
   return text + '\n';
 }
 
-std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, const EventsOptions& options) {
+std::string tableOf(const EventsSubject& subject, const std::vector<EventRow>& rows,
+                    const EventsOptions& options) {
   const bool moves = options.movingBeta != Vec3(0.0);
   std::string text = fmt::format("{}, light at {} m/s: {} event{}\n", subject.title, subject.c_m_s,
                                  rows.size(), rows.size() == 1 ? "" : "s");
@@ -317,10 +318,10 @@ std::string tableOf(const Subject& subject, const std::vector<EventRow>& rows, c
 }  // namespace
 
 int runEvents(const EventsOptions& options) {
-  const bool isScenario = options.source.extension() == ".toml";
-  Subject subject = isScenario ? played(readScenario(options.source), options.until_s.value_or(kPlayed_s))
-                               : recorded(options);
-  if (isScenario && !options.until_s)
+  const bool isPlayed = isScenario(options.source);
+  EventsSubject subject = isPlayed ? played(readScenario(options.source), options.until_s.value_or(kPlayed_s))
+                                   : recorded(options);
+  if (isPlayed && !options.until_s)
     log::note(
         fmt::format("The scenario was played for {:g} s of board time; --until S plays on.", kPlayed_s));
   if (options.pair) keepPair(subject.events, *options.pair);

@@ -16,6 +16,7 @@
 #include "app/scenario/scenario.h"
 #include "app/scenario/starting_histories.h"
 #include "app/stage/scenario_scene.h"
+#include "app/tools/option_values.h"
 #include "engine/billiard/billiard.h"
 #include "engine/sculpture/game_sculpture.h"
 #include "engine/text/log.h"
@@ -23,12 +24,12 @@
 namespace carom {
 namespace {
 
-constexpr double kShown_s = 10.0, kLongest_s = 600.0;
+constexpr double kSculpted_s = 10.0, kLongest_s = 600.0;
 constexpr std::size_t kMostPucks = 100;
 constexpr double kLeastWall_m = 1.2e-3;  // what printers with a nozzle of 0.4 mm can build
 
 /// The game whose sculpture is made.
-struct Subject {
+struct SculptureSubject {
   BilliardSetup setup;
   std::vector<WorldLine> lines;  // one for each puck
   std::vector<GameEvent> events;
@@ -36,8 +37,8 @@ struct Subject {
 };
 
 Span spanOf(const ExportSpacetimeOptions& options, double ends_s) {
-  const double until_s = options.until_s.value_or(options.from_s ? *options.from_s + kShown_s : ends_s);
-  const Span span{options.from_s.value_or(std::max(0.0, until_s - kShown_s)), until_s};
+  const double until_s = options.until_s.value_or(options.from_s ? *options.from_s + kSculpted_s : ends_s);
+  const Span span{options.from_s.value_or(std::max(0.0, until_s - kSculpted_s)), until_s};
   if (!(span.from_s < span.until_s))
     throw std::runtime_error(
         fmt::format("--from {:g} --until {:g}: nothing lies between, expected --from before --until",
@@ -50,18 +51,18 @@ Span spanOf(const ExportSpacetimeOptions& options, double ends_s) {
 }
 
 /// Adds the bodies that move as told.
-void addBodies(const Scenario& scenario, Subject& subject) {
+void addBodies(const Scenario& scenario, SculptureSubject& subject) {
   for (const ScriptedBody& body : scenario.bodies) {
     subject.setup.pucks.push_back(outlineOf(body));
     subject.lines.push_back(body.worldLine);
   }
 }
 
-Subject played(const ExportSpacetimeOptions& options) {
+SculptureSubject playedGame(const ExportSpacetimeOptions& options) {
   const Scenario scenario = readScenario(options.source);
-  Subject subject;
+  SculptureSubject subject;
   subject.setup = scenario.billiard;
-  subject.span = spanOf(options, kShown_s);
+  subject.span = spanOf(options, kSculpted_s);
   Billiard billiard(subject.setup);
   billiard.advanceTo(subject.span.until_s);
   subject.lines.assign(billiard.worldLines().begin(), billiard.worldLines().end());
@@ -70,12 +71,12 @@ Subject played(const ExportSpacetimeOptions& options) {
   return subject;
 }
 
-Subject recorded(const ExportSpacetimeOptions& options) {
+SculptureSubject recordedGame(const ExportSpacetimeOptions& options) {
   SessionFile session(options.source, options.game);
   const Scenario scenario = session.scenario();
   sayGame(session, scenario.title);
   const RecordedGame game = wholeGame(session, startingHistories(scenario));
-  Subject subject;
+  SculptureSubject subject;
   subject.setup = scenario.billiard;
   const auto first = game.world.histories.begin() + 1;
   subject.lines.assign(first, first + static_cast<std::ptrdiff_t>(subject.setup.pucks.size()));
@@ -86,7 +87,7 @@ Subject recorded(const ExportSpacetimeOptions& options) {
 }
 
 /// Keeps the pucks that are nearest to the middle of the board at the beginning, and says so.
-void keepNearest(Subject& subject) {
+void keepNearest(SculptureSubject& subject) {
   const std::size_t count = subject.setup.pucks.size();
   if (count <= kMostPucks) return;
   std::vector<std::size_t> order(count);
@@ -98,7 +99,7 @@ void keepNearest(Subject& subject) {
                    [&](std::size_t a, std::size_t b) { return away_m[a] < away_m[b]; });
   order.resize(kMostPucks);
   std::sort(order.begin(), order.end());
-  Subject kept;
+  SculptureSubject kept;
   for (const std::size_t puck : order) {
     kept.setup.pucks.push_back(subject.setup.pucks[puck]);
     kept.lines.push_back(subject.lines[puck]);
@@ -147,7 +148,7 @@ void say(const GameSculpture& made, const ExportSpacetimeOptions& options, const
 }  // namespace
 
 int runExportSpacetime(const ExportSpacetimeOptions& options) {
-  Subject subject = options.source.extension() == ".toml" ? played(options) : recorded(options);
+  SculptureSubject subject = isScenario(options.source) ? playedGame(options) : recordedGame(options);
   keepNearest(subject);
   const bool prints = isForPrinters(options.out);
   const GameSculpture made =

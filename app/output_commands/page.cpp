@@ -19,8 +19,6 @@ namespace {
 
 constexpr double kUsual_s = 20.0;  // of a game without a session
 
-bool isScenario(const std::filesystem::path& source) { return source.extension() == ".toml"; }
-
 /// Returns the language that was asked for, or the one that the visitor read at first.
 std::string languageOf(const PageOptions& options) {
   if (!options.language.empty()) return options.language;

@@ -12,8 +12,6 @@
 namespace carom {
 namespace {
 
-constexpr double kFarthestOnCloth_m = 10.0;  // limit for a mouse that points near the horizon
-
 enum WandButton { kTrigger, kBrake, kHome, kOnwards };
 enum SpaceMouseButton { kLeftBrakes, kRightGoesHome };
 

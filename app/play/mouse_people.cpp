@@ -20,8 +20,7 @@ constexpr double kSteepest = 0.966;     // sine of the steepest gaze, 75 degrees
 constexpr double kBack_s = 0.1;         // within which a wand returns
 constexpr double kBeside_m = 0.6;       // between two people
 constexpr double kCloth_m = 0.75;       // above the floor, in all games but few
-constexpr double kFarthestOnCloth_m = 10.0;
-const Vec3 kGrip_m{0.2, -0.35, 0.35};  // of the wand, from the eyes: right, up, ahead
+const Vec3 kGrip_m{0.2, -0.35, 0.35};   // of the wand, from the eyes: right, up, ahead
 
 /// Returns the unit vector on the way from one unit vector to another, at most `most_rad` from the first.
 Vec3 turnedTo(const Vec3& from, const Vec3& to, double most_rad) {

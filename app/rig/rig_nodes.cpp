@@ -35,7 +35,8 @@ std::optional<StartSetup::Ports> readPorts(const TomlTable& table) {
   const std::string text = table.text("ports");
   StartSetup::Ports ports;
   char more = 0;
-  const bool isRange = std::sscanf(text.c_str(), "%5d-%5d%c", &ports.first, &ports.last, &more) == 2;
+  const bool isRange = text.find_first_not_of("0123456789-") == std::string::npos &&
+                       std::sscanf(text.c_str(), "%5d-%5d%c", &ports.first, &ports.last, &more) == 2;
   if (isRange && ports.first >= kLowest && ports.last <= kHighest && ports.last - ports.first + 1 >= kLeast)
     return ports;
   table.fault("ports",

@@ -20,8 +20,8 @@ namespace {
 constexpr double kUsualSeparation_m = 0.06;  // of the manual
 /// Below this the number is the distance of an eye from the middle, as the files of the EVE have it.
 constexpr double kHalfSeparation_m = 0.045;
-constexpr std::array<std::string_view, 8> kQuiet{"focus",          "keyboard", "login",       "synchroPort",
-                                                 "synchroAddress", "port",     "environment", "id"};
+constexpr std::array<std::string_view, 8> kQuietBlender{
+    "focus", "keyboard", "login", "synchroPort", "synchroAddress", "port", "environment", "id"};
 
 constexpr const char* kAloneLeftOut =
     "graphic_buffers other than left and right are left out of screens in stereo: they are for pictures "
@@ -115,7 +115,7 @@ class BlenderReading {
     for (const Part* plugins : root_.all("plugins")) readVrpn(*plugins);
     ranks_.finish();
     placePeople();
-    nameUnread(root_, kQuiet, room_);
+    nameUnread(root_, kQuietBlender, room_);
   }
 
  private:

@@ -71,9 +71,9 @@ class MpcdiReading {
 
   void read() {
     for (const Region& region : regions()) readRegion(region);
-    constexpr std::array<std::string_view, 6> kQuiet{"date",     "level", "version",
-                                                     "geometry", "color", "profile"};
-    nameUnread(root_, kQuiet, room_);
+    constexpr std::array<std::string_view, 6> kQuietMpcdi{"date",     "level", "version",
+                                                          "geometry", "color", "profile"};
+    nameUnread(root_, kQuietMpcdi, room_);
   }
 
  private:

@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r";
+constexpr std::string_view kBlankInLine = " \t\r";
 constexpr std::size_t kMostCfgParts = 100'000;
 
 /// Returns the number behind "X=" or "P=" in a text such as "X=1,Y=2,Z=3"; 0 if it is not there.
@@ -23,14 +23,14 @@ double partOfTriple(const Part& text, char letter, Room& room) {
   while (!rest.empty()) {
     const std::string_view piece = rest.substr(0, rest.find(','));
     rest.remove_prefix(std::min(rest.size(), piece.size() + 1));
-    const std::size_t begin = piece.find_first_not_of(kBlank);
+    const std::size_t begin = piece.find_first_not_of(kBlankInLine);
     if (begin == std::string_view::npos || std::toupper(static_cast<unsigned char>(piece[begin])) != letter)
       continue;
     const std::size_t sign = piece.find('=');
     std::string_view number = sign == std::string_view::npos ? "" : piece.substr(sign + 1);
     const std::string_view whole = number;
     if (number.starts_with('+')) number.remove_prefix(1);
-    const auto value = wholeNumber(number.substr(0, number.find_last_not_of(kBlank) + 1));
+    const auto value = wholeNumber(number.substr(0, number.find_last_not_of(kBlankInLine) + 1));
     if (value && within({}, *value)) return *value;
     addError(room, text.textAt,
              fmt::format("'{}' in {} is no number, expected {}=, a number and nothing else",
@@ -70,9 +70,9 @@ class CfgReading {
     }
     ranks_.finish();
     scene_.tellUnused(screens_, head_);
-    constexpr std::array<std::string_view, 8> kQuiet{"port_cs", "port_ss", "sound",   "info",
-                                                     "version", "general", "network", "custom"};
-    nameUnread(root_, kQuiet, room_);
+    constexpr std::array<std::string_view, 8> kQuietCfg{"port_cs", "port_ss", "sound",   "info",
+                                                        "version", "general", "network", "custom"};
+    nameUnread(root_, kQuietCfg, room_);
   }
 
  private:
@@ -265,17 +265,17 @@ Part lineOf(std::string_view text, std::size_t begin, const LineIndex& lines,
     refuse(0, "this line has no closing bracket, expected [kind] key=value …");
   Part line{std::string(text.substr(1, close - 1)), {}, lines.at(begin), lines.at(begin)};
   std::size_t i = close + 1;
-  while ((i = text.find_first_not_of(kBlank, i)) != std::string_view::npos) {
+  while ((i = text.find_first_not_of(kBlankInLine, i)) != std::string_view::npos) {
     const std::size_t sign = text.find('=', i);
     if (sign == std::string_view::npos) break;  // words without a value
     const std::string_view key = text.substr(i, sign - i);
-    std::size_t value = std::min(text.find_first_not_of(kBlank, sign + 1), text.size());
+    std::size_t value = std::min(text.find_first_not_of(kBlankInLine, sign + 1), text.size());
     const bool quoted = value < text.size() && text[value] == '"';
     if (quoted) ++value;
     const std::size_t end =
-        quoted ? text.find('"', value) : std::min(text.find_first_of(kBlank, value), text.size());
+        quoted ? text.find('"', value) : std::min(text.find_first_of(kBlankInLine, value), text.size());
     if (end == std::string_view::npos) refuse(value - 1, "this text has no closing quote");
-    line.parts.push_back({std::string(key.substr(0, key.find_last_not_of(kBlank) + 1)),
+    line.parts.push_back({std::string(key.substr(0, key.find_last_not_of(kBlankInLine) + 1)),
                           std::string(text.substr(value, end - value)), lines.at(begin + i),
                           lines.at(begin + value)});
     i = end + (quoted ? 1 : 0);
@@ -293,7 +293,7 @@ Part readCfgLines(const std::filesystem::path& file) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line = std::string_view(text).substr(begin, end - begin);
-    const std::size_t first = line.find_first_not_of(kBlank);
+    const std::size_t first = line.find_first_not_of(kBlankInLine);
     if (first != std::string_view::npos && line[first] == '[') {
       root.parts.push_back(lineOf(line.substr(first), begin + first, lines, file));
       parts += 1 + root.parts.back().parts.size();

@@ -13,28 +13,28 @@ namespace carom {
 namespace {
 
 constexpr double kCentimetre_m = 0.01;
-constexpr std::array<std::string_view, 22> kQuiet{"bufferRatio",
-                                                  "description",
-                                                  "version",
-                                                  "assetPath",
-                                                  "misc",
-                                                  "diagnostics",
-                                                  "gPUIndex",
-                                                  "allowCrossGPUTransfer",
-                                                  "isShared",
-                                                  "overscan",
-                                                  "sound",
-                                                  "renderHeadless",
-                                                  "graphicsAdapter",
-                                                  "textureShare",
-                                                  "postprocess",
-                                                  "ports",
-                                                  "network",
-                                                  "failover",
-                                                  "sync",
-                                                  "crossGPUTransfer",
-                                                  "GPUIndex",
-                                                  "isVisible"};
+constexpr std::array<std::string_view, 22> kQuietNdisplay{"bufferRatio",
+                                                          "description",
+                                                          "version",
+                                                          "assetPath",
+                                                          "misc",
+                                                          "diagnostics",
+                                                          "gPUIndex",
+                                                          "allowCrossGPUTransfer",
+                                                          "isShared",
+                                                          "overscan",
+                                                          "sound",
+                                                          "renderHeadless",
+                                                          "graphicsAdapter",
+                                                          "textureShare",
+                                                          "postprocess",
+                                                          "ports",
+                                                          "network",
+                                                          "failover",
+                                                          "sync",
+                                                          "crossGPUTransfer",
+                                                          "GPUIndex",
+                                                          "isVisible"};
 
 /// A viewport of a node whose wall is still to be added.
 struct NdisplayView {
@@ -70,7 +70,7 @@ class NdisplayReading {
     for (const NdisplayView& view : views_) readView(view);
     ranks_.finish();
     scene_.tellUnused(screens_, head_);
-    nameUnread(config_, kQuiet, room_);
+    nameUnread(config_, kQuietNdisplay, room_);
   }
 
  private:

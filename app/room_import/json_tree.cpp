@@ -11,7 +11,7 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kDeepest = 32, kMostValues = 100'000, kShown = 40;
+constexpr std::size_t kDeepestJson = 32, kMostValues = 100'000, kShown = 40;
 
 /// Iterates over the text and counts in `*read` the characters that any copy has passed, which is where the
 /// parser's newest token ends.
@@ -120,7 +120,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool enter(JsonNode::Kind kind) {
-    if (open_ >= kDeepest) {
+    if (open_ >= kDeepestJson) {
       fault = {beginOfToken(), "values are nested too deep, expected at most 32"};
       return false;
     }

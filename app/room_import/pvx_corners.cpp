@@ -24,7 +24,7 @@ constexpr double kViewAngle_rad = 30.0 * std::numbers::pi / 180.0;
 constexpr double kAssumedDistance_m = 1.0;
 constexpr int kAssumedHeight_px = 1080;
 
-constexpr std::array<std::string_view, 3> kCorners{"LowerLeft", "LowerRight", "UpperRight"};
+constexpr std::array<std::string_view, 3> kPvxCorners{"LowerLeft", "LowerRight", "UpperRight"};
 
 /// One of the three numbers of a corner, or the text found there instead.
 struct Token {
@@ -127,8 +127,8 @@ bool readNumbers(const std::array<const XmlAttribute*, 3>& texts,
       sound = false;
       const bool number = wholeNumber(token.text).has_value();
       addError(room, token.at,
-               fmt::format("'{}' in {} of wall '{}' is {}, expected {}{}", printable(token.text), kCorners[i],
-                           wall, number ? "out of range" : "no number",
+               fmt::format("'{}' in {} of wall '{}' is {}, expected {}{}", printable(token.text),
+                           kPvxCorners[i], wall, number ? "out of range" : "no number",
                            number ? wordsFor({}, false) : "a number and nothing else",
                            harmOf(texts, tokens, i, axis)));
     }
@@ -158,7 +158,7 @@ void hangUp(const XmlElement& machine, Wall& wall, Room& room) {
 bool readCorners(const XmlElement& machine, Wall& wall, Room& room) {
   std::array<const XmlAttribute*, 3> texts{};
   int given = 0;
-  for (std::size_t i = 0; i < 3; ++i) given += (texts[i] = machine.attribute(kCorners[i])) != nullptr;
+  for (std::size_t i = 0; i < 3; ++i) given += (texts[i] = machine.attribute(kPvxCorners[i])) != nullptr;
   if (given == 0) {
     hangUp(machine, wall, room);
     return true;
@@ -171,14 +171,14 @@ bool readCorners(const XmlElement& machine, Wall& wall, Room& room) {
           room, machine.at,
           fmt::format("{} is missing at wall '{}', expected all three corners: ParaView drops the other two "
                       "without a word",
-                      kCorners[i], wall.name));
+                      kPvxCorners[i], wall.name));
       sound = false;
       continue;
     }
     tokens[i] = tokensOf(*texts[i]);
     if (tokens[i].size() == 3) continue;
     addError(room, texts[i]->valueAt,
-             fmt::format("{} of wall '{}' has {} value{}, expected 3 numbers", kCorners[i], wall.name,
+             fmt::format("{} of wall '{}' has {} value{}, expected 3 numbers", kPvxCorners[i], wall.name,
                          tokens[i].size(), tokens[i].size() == 1 ? "" : "s"));
     sound = false;
   }
@@ -186,7 +186,7 @@ bool readCorners(const XmlElement& machine, Wall& wall, Room& room) {
   const auto corner = [&](std::size_t i) {
     return glm::dvec3(*tokens[i][0].value, *tokens[i][1].value, *tokens[i][2].value);
   };
-  const ThreeCorners corners{{corner(0), corner(1), corner(2)}, kCorners};
+  const ThreeCorners corners{{corner(0), corner(1), corner(2)}, kPvxCorners};
   wall.lowerLeft_m = corner(0);
   wall.lowerRight_m = corner(1);
   wall.upperLeft_m = corner(0) + (corner(2) - corner(1));

@@ -25,14 +25,14 @@ constexpr std::array<std::string_view, 12> kMachineKeys{
     "StereoType", "ViewerId",    "Coverable", "Show2DOverlays", "FullScreen", "ShowBorders"};
 
 /// The state while a file is read.
-struct Reading {
+struct PvxReading {
   XmlElement root;
   Room room;
   int rank = 0;                ///< of the next machine
   bool stereoLeftOut = false;  ///< a machine has said nothing of it
 };
 
-void noteUnknown(const XmlElement& element, std::span<const std::string_view> known, Reading& in) {
+void noteUnknown(const XmlElement& element, std::span<const std::string_view> known, PvxReading& in) {
   for (const XmlAttribute& attribute : element.attributes) {
     if (std::find(known.begin(), known.end(), attribute.name) == known.end()) {
       addUnknownKey(in.room, attribute.nameAt, attribute.name, known);
@@ -42,7 +42,7 @@ void noteUnknown(const XmlElement& element, std::span<const std::string_view> kn
 
 /// Returns the element with the machines. Old files wrap them into <Process>: that of the server counts,
 /// otherwise the last.
-const XmlElement& processOf(Reading& in) {
+const XmlElement& processOf(PvxReading& in) {
   const XmlElement* process = &in.root;
   for (const XmlElement& child : in.root.children) {
     if (child.name != "Process") continue;
@@ -54,7 +54,7 @@ const XmlElement& processOf(Reading& in) {
   return *process;
 }
 
-std::optional<double> numberOf(const XmlElement& element, std::string_view key, Reading& in) {
+std::optional<double> numberOf(const XmlElement& element, std::string_view key, PvxReading& in) {
   const XmlAttribute* attribute = element.attribute(key);
   if (!attribute) {
     addError(in.room, element.at, fmt::format("{} is missing here", key));
@@ -68,7 +68,7 @@ std::optional<double> numberOf(const XmlElement& element, std::string_view key, 
   return {};
 }
 
-void readViewers(const XmlElement& viewers, Reading& in) {
+void readViewers(const XmlElement& viewers, PvxReading& in) {
   constexpr std::array<std::string_view, 2> kKeys{"Id", "EyeSeparation"};
   noteUnknown(viewers, {}, in);
   for (const XmlElement& viewer : viewers.children) {
@@ -85,7 +85,7 @@ void readViewers(const XmlElement& viewers, Reading& in) {
   }
 }
 
-StereoMode stereoOf(const XmlElement& machine, Reading& in) {
+StereoMode stereoOf(const XmlElement& machine, PvxReading& in) {
   struct Named {
     std::string_view name;
     StereoMode mode;
@@ -120,7 +120,7 @@ StereoMode stereoOf(const XmlElement& machine, Reading& in) {
   return StereoMode::mono;
 }
 
-void readViewerId(const XmlElement& machine, const std::string& wall, Reading& in) {
+void readViewerId(const XmlElement& machine, const std::string& wall, PvxReading& in) {
   const XmlAttribute* id = machine.attribute("ViewerId");
   if (!id) return;
   const auto value = wholeNumber(id->value);
@@ -135,7 +135,7 @@ void readViewerId(const XmlElement& machine, const std::string& wall, Reading& i
   }
 }
 
-void readDisplay(const XmlElement& machine, int rank, Reading& in) {
+void readDisplay(const XmlElement& machine, int rank, PvxReading& in) {
   const XmlAttribute* environment = machine.attribute("Environment");
   if (!environment) return;
   constexpr std::string_view kDisplay = "DISPLAY=";
@@ -149,7 +149,7 @@ void readDisplay(const XmlElement& machine, int rank, Reading& in) {
 }
 
 /// Reads a window "640x360+100+1200". Returns false, with an error noted, if the text is anything else.
-bool readWindow(const XmlElement& machine, Wall& wall, Reading& in) {
+bool readWindow(const XmlElement& machine, Wall& wall, PvxReading& in) {
   const auto on = [&](std::string_view key) {
     const XmlAttribute* attribute = machine.attribute(key);
     return attribute && (attribute->value == "1" || attribute->value == "true");
@@ -182,7 +182,7 @@ bool readWindow(const XmlElement& machine, Wall& wall, Reading& in) {
   return true;
 }
 
-void readMachine(const XmlElement& machine, Reading& in) {
+void readMachine(const XmlElement& machine, PvxReading& in) {
   if (static_cast<std::size_t>(in.rank) >= kMostMachines) {
     if (static_cast<std::size_t>(in.rank++) == kMostMachines) {
       addError(in.room, machine.at, fmt::format("there are more than {} machines", kMostMachines));
@@ -212,7 +212,7 @@ void readMachine(const XmlElement& machine, Reading& in) {
   in.room.walls.push_back(std::move(wall));
 }
 
-void readElement(const XmlElement& element, const XmlElement& parent, Reading& in) {
+void readElement(const XmlElement& element, const XmlElement& parent, PvxReading& in) {
   constexpr std::array<std::string_view, 1> kValue{"Value"};
   constexpr std::array<std::string_view, 2> kOption{"Name", "Value"};
   constexpr std::array<std::string_view, 6> kElements{"Machine", "EyeSeparation",      "UseOffAxisProjection",
@@ -241,7 +241,7 @@ void readElement(const XmlElement& element, const XmlElement& parent, Reading& i
   }
 }
 
-void assume(Reading& in) {
+void assume(PvxReading& in) {
   in.room.viewers = {{{0.0, 0.0, 0.0}, in.root.at, "a viewer at the origin"}};
   in.room.assumptions.push_back(
       "the viewer's eyes start at the file's origin, as in ParaView without a tracker");
@@ -256,7 +256,7 @@ void assume(Reading& in) {
 }  // namespace
 
 Room readPvx(const std::filesystem::path& file) {
-  Reading in{readXml(file), foreignRoom(file, "a ParaView room")};
+  PvxReading in{readXml(file), foreignRoom(file, "a ParaView room")};
   if (in.root.name != "pvx") {
     addError(in.room, in.root.at,
              fmt::format("the first element is <{}>, expected <pvx>", printable(in.root.name)));

@@ -22,7 +22,7 @@ using Kind = JsonNode::Kind;
 
 constexpr std::size_t kMostWalls = 512;
 constexpr double kRounding = 1e-6;  // of a window: files write thirds with some digits
-constexpr std::array<std::string_view, 3> kCorners{"lowerleft", "upperleft", "upperright"};
+constexpr std::array<std::string_view, 3> kSgctCorners{"lowerleft", "upperleft", "upperright"};
 constexpr std::array<std::string_view, 10> kViewportKeys{
     "pos", "size", "projection", "overlay", "blendmask", "mesh", "tracked", "eye", "user", "blacklevelmask"};
 constexpr std::array<std::string_view, 4> kPlaneKeys{"type", "lowerleft", "upperleft", "upperright"};
@@ -87,21 +87,21 @@ bool readPlane(const JsonNode& projection, RoomWall& wall, SgctReading& in) {
   std::array<std::optional<std::array<double, 3>>, 3> read;
   bool sound = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    read[i] = numbers<3>(projection, kCorners[i], {}, false, in.room);
-    if (!projection.member(kCorners[i])) {
-      addError(in.room, projection.at, fmt::format("{} is missing in projection", kCorners[i]));
+    read[i] = numbers<3>(projection, kSgctCorners[i], {}, false, in.room);
+    if (!projection.member(kSgctCorners[i])) {
+      addError(in.room, projection.at, fmt::format("{} is missing in projection", kSgctCorners[i]));
     }
     sound = sound && read[i];
   }
   if (!sound) return false;
   const auto corner = [&](std::size_t i) { return glm::dvec3((*read[i])[0], (*read[i])[1], (*read[i])[2]); };
-  const ThreeCorners corners{{corner(0), corner(1), corner(2)}, kCorners, false};
+  const ThreeCorners corners{{corner(0), corner(1), corner(2)}, kSgctCorners, false};
   wall.wall.lowerLeft_m = corner(0);
   wall.wall.upperLeft_m = corner(1);
   wall.wall.lowerRight_m = corner(0) + (corner(2) - corner(1));
   wall.at.corner = projection.member("upperright")->at;
   if (const auto fault = rectangleFault("of this viewport", corners)) {
-    addError(in.room, projection.member(kCorners[fault->corner])->at, fault->what);
+    addError(in.room, projection.member(kSgctCorners[fault->corner])->at, fault->what);
     return false;
   }
   return true;

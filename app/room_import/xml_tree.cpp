@@ -10,11 +10,11 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kDeepest = 32, kMostElements = 100'000;  // with their attributes
+constexpr std::size_t kDeepestXml = 32, kMostElements = 100'000;  // with their attributes
 constexpr std::string_view kBlank = " \t\r\n";
 
 /// The state of expat's handlers.
-struct Reading {
+struct XmlReading {
   XML_Parser parser;
   std::string_view text;
   LineIndex lines;
@@ -62,8 +62,8 @@ void placeAttributes(XmlElement& element, std::string_view text, std::size_t tag
 }
 
 void XMLCALL begin(void* user, const XML_Char* name, const XML_Char** attributes) {
-  Reading& reading = *static_cast<Reading*>(user);
-  if (reading.open >= kDeepest) return reading.refuse("elements are nested too deep, expected at most 32");
+  XmlReading& reading = *static_cast<XmlReading*>(user);
+  if (reading.open >= kDeepestXml) return reading.refuse("elements are nested too deep, expected at most 32");
   const auto tag = static_cast<std::size_t>(XML_GetCurrentByteIndex(reading.parser));
   XmlElement element{name, reading.lines.at(tag), {}, {}};
   element.textAt = element.at;
@@ -82,13 +82,13 @@ void XMLCALL begin(void* user, const XML_Char* name, const XML_Char** attributes
 }
 
 void XMLCALL end(void* user, const XML_Char*) {
-  Reading& reading = *static_cast<Reading*>(user);
+  XmlReading& reading = *static_cast<XmlReading*>(user);
   --reading.open;
   if (!reading.path.empty()) reading.path.pop_back();
 }
 
 void XMLCALL characters(void* user, const XML_Char* text, int length) {
-  Reading& reading = *static_cast<Reading*>(user);
+  XmlReading& reading = *static_cast<XmlReading*>(user);
   if (reading.open == 0) return;
   XmlElement& element = reading.current();
   std::string_view more(text, static_cast<std::size_t>(length));
@@ -103,24 +103,24 @@ void XMLCALL characters(void* user, const XML_Char* text, int length) {
 }
 
 void XMLCALL refuseDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-  static_cast<Reading*>(user)->refuse("the file declares a document type, expected elements alone");
+  static_cast<XmlReading*>(user)->refuse("the file declares a document type, expected elements alone");
 }
 
 void XMLCALL refuseEntity(void* user, const XML_Char*, int isParameter, const XML_Char* value, int,
                           const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
   if (!value && !isParameter) return;  // names a file
-  static_cast<Reading*>(user)->refuse(
+  static_cast<XmlReading*>(user)->refuse(
       "the document type defines an entity with a text of its own, expected none, or files alone");
 }
 
 void XMLCALL refuseAttributes(void* user, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*,
                               int) {
-  static_cast<Reading*>(user)->refuse("the document type defines attributes, expected files alone");
+  static_cast<XmlReading*>(user)->refuse("the document type defines attributes, expected files alone");
 }
 
 int XMLCALL leaveOut(XML_Parser parser, const XML_Char*, const XML_Char*, const XML_Char* file,
                      const XML_Char*) {
-  Reading& reading = *static_cast<Reading*>(XML_GetUserData(parser));
+  XmlReading& reading = *static_cast<XmlReading*>(XML_GetUserData(parser));
   const auto at = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser));
   constexpr std::size_t kMostLeftOut = 100;
   if (reading.leftOut.size() < kMostLeftOut)
@@ -151,7 +151,7 @@ XmlFile readXml(const std::filesystem::path& file, Doctype doctype) {
 XmlFile parseXml(const std::filesystem::path& file, const std::string& text, Doctype doctype) {
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(XML_ParserCreate("UTF-8"),
                                                                             &XML_ParserFree);
-  Reading reading{parser.get(), text, LineIndex(text), {}, {}, 0, 0, {}, {}, {}};
+  XmlReading reading{parser.get(), text, LineIndex(text), {}, {}, 0, 0, {}, {}, {}};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), begin, end);
   XML_SetCharacterDataHandler(parser.get(), characters);

@@ -19,6 +19,9 @@
 namespace carom {
 
 inline constexpr double kMostRoomPixels = 16384.0;  ///< largest texture size of common GPUs
+/// The size of a window, and its place on a desktop of several monitors.
+inline constexpr Range kWindowSize_px{.least = 1.0, .most = kMostRoomPixels},
+    kWindowPlace_px{.least = -65536.0, .most = 65536.0};
 
 /// Returns an empty room: no walls yet, the axes of rigs with y up, lengths of a rig of it in `unit`.
 Room roomOfFormat(const std::filesystem::path& file, std::string format, std::string unit, double unit_m);

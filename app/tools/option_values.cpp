@@ -14,7 +14,7 @@ namespace carom {
 CLI::Validator numberIn(const Range& range, const std::string& expected) {
   return CLI::Validator(
       [range, expected](std::string& text) {
-        const std::size_t sign = text.starts_with('+') ? 1 : 0;
+        const std::size_t sign = text.starts_with('+') && !text.starts_with("+-") ? 1 : 0;
         double value = 0.0;
         const char* end = text.data() + text.size();
         const auto [stop, failed] = std::from_chars(text.data() + sign, end, value);

@@ -24,6 +24,9 @@ CLI::Validator shipped(const std::vector<std::string>& kinds);
 /// Returns a transformation that replaces one of these names by its number, and refuses others.
 CLI::Validator numberOf(const std::vector<std::pair<std::string, int>>& names);
 
+/// Returns whether what a command reads is a scenario, by its ending; else it is a session.
+inline bool isScenario(const std::filesystem::path& source) { return source.extension() == ".toml"; }
+
 inline Vec3 toVec3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
 /// Adds the option --language. `language` is then as app/file_keys/language_name.h, or empty.

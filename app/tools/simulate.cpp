@@ -87,7 +87,7 @@ std::vector<double> stateTimes_s(double until_s, double every_s) {
   return times_s;
 }
 
-Json toJson(const Event& event) { return {{"t_s", event.t_s}, {"r_m", vectorJson(Vec2(event.r_m))}}; }
+Json onBoardJson(const Event& event) { return {{"t_s", event.t_s}, {"r_m", vectorJson(Vec2(event.r_m))}}; }
 
 /// Returns one collision: an event, or the events of all pucks that one jam moves.
 Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks) {
@@ -113,7 +113,7 @@ Json toJson(std::span<const GameEvent> collision, const std::vector<Puck>& pucks
   const GameEvent& first = collision.front();
   Json json{{"kind", nameOf(first.kind)}, {"pucks", names}};
   if (first.cushion) json["cushion"] = nameOf(*first.cushion);
-  json["contact"] = toJson(first.at);
+  json["contact"] = onBoardJson(first.at);
   json["turns"] = turns;
   json["heat_j"] = heat_j;
   if (first.withoutDelay) json["without_delay"] = true;
@@ -218,7 +218,7 @@ Json toJson(const SoftContactState& contact, const std::vector<Puck>& pucks) {
   Json json{{"kind", nameOf(contact.cushion ? EventKind::softCushion : EventKind::softSoft)},
             {"pucks", names}};
   if (contact.cushion) json["cushion"] = nameOf(*contact.cushion);
-  json["contact"] = toJson(contact.contact);
+  json["contact"] = onBoardJson(contact.contact);
   json["parted"] = contact.parted_s ? Json{{"t_s", *contact.parted_s}} : Json();
   json["impulse_kg_m_s"] = vectorJson(isTurned ? -contact.impulse_kg_m_s : contact.impulse_kg_m_s);
   json["turns"] = Json::array();

@@ -22,7 +22,6 @@ constexpr float kDecalNearer = 0.002F;    // fraction of the distance by which a
 constexpr float kBodiesNearer = 0.0005F;  // the same of the last body
 constexpr float kSoftRoughness = 0.25F;
 constexpr double kPointReach_m = 0.03;  // stands for that of a told body
-constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
 
 /// Makes a texture of the four numbers a texel that a buffer holds.
 void attach(const GlTexture& texture, const GlBuffer& buffer) {
@@ -72,8 +71,8 @@ BodyDrawer::BodyDrawer(const Scene& scene, double lightSpeed_m_s)
   eye_.lightSpeed_m_s = static_cast<float>(lightSpeed_m_s);
   for (std::size_t i = 0; i < 3; ++i) eye_.lamps_m[i] = glm::vec3(scene.lamps_m[i]);
   eye_.hall_m = hallBounds_m(scene.hall);
-  layers_.reserve(kMoments.size());
-  for (std::size_t i = 0; i < kMoments.size(); ++i)
+  layers_.reserve(kViewTimes.size());
+  for (std::size_t i = 0; i < kViewTimes.size(); ++i)
     layers_.emplace_back(chunks_, scene_.bodyCount, scene_.parts.size());
   makeVertices();
   makeColours();
@@ -453,7 +452,7 @@ const BodyDrawer::Choice& BodyDrawer::choose(const glm::dmat4& clipFromDrawn, do
   surfaces_.choose(layers_[static_cast<std::size_t>(ViewTime::seen)].visible, 0.5 * pixel_rad);
   choice.levels = surfaces_.digest();
   appendSurfaces(choice);
-  for (const ViewTime moment : kMoments) {  // ghosts last: they are transparent
+  for (const ViewTime moment : kViewTimes) {  // ghosts last: they are transparent
     takeParts(moment, choice);
     takeSoft(moment, choice);
   }

@@ -10,8 +10,6 @@
 namespace carom {
 namespace {
 
-constexpr std::array<ViewTime, 3> kMoments{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
-
 void attribute(GLuint at, int size, GLenum type, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(at);
   glVertexAttribPointer(at, size, type, type == GL_FLOAT ? GL_FALSE : GL_TRUE, static_cast<GLsizei>(stride),
@@ -88,7 +86,7 @@ void SoftDrawer::see(ViewTime moment, const Event& observation, const Lorentz& h
 }
 
 void SoftDrawer::upload() {
-  for (const ViewTime moment : kMoments) {
+  for (const ViewTime moment : kViewTimes) {
     const Layer& layer = layerOf(moment);
     const auto isDrawn = [](const SeenBound& bound) { return bound.radius >= 0.0; };
     if (std::none_of(layer.bounds.begin(), layer.bounds.end(), isDrawn)) continue;

@@ -27,8 +27,8 @@ namespace carom {
 namespace {
 
 constexpr glm::ivec2 kLargest_px{3840, 2160}, kLargestSky_px{8192, 8192};
-constexpr std::size_t kMostWaiting = 16;  // frames waiting for the encoder
-constexpr double kLongestStay_s = 1.0;    // longest time that a frame is shown
+constexpr std::size_t kMostFramesWaiting = 16;  // frames waiting for the encoder
+constexpr double kLongestStay_s = 1.0;          // longest time that a frame is shown
 
 /// ffmpeg's options for a kind of file: the container and its codec.
 struct Kind {
@@ -291,7 +291,8 @@ Movie::Movie(std::filesystem::path file, MovieLayout layout, double frames_hz, W
       whenFull_(whenFull),
       picture_(layout_.size_px),
       encoder_(std::make_unique<Encoder>(file_, layout_, frames_hz)),
-      queue_(std::make_unique<WorkQueue<Job>>(kMostWaiting, 1, [this](Job& job) { encoder_->add(job); })) {}
+      queue_(std::make_unique<WorkQueue<Job>>(kMostFramesWaiting, 1,
+                                              [this](Job& job) { encoder_->add(job); })) {}
 
 Movie::~Movie() {
   {

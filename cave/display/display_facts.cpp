@@ -42,7 +42,7 @@ std::string propertyOf(Display* display, ::Window window, const char* property) 
   return {reinterpret_cast<const char*>(bytes), items * size};
 }
 
-std::string nameOf(Display* display, ::Window window) {
+std::string windowName(Display* display, ::Window window) {
   const std::string name = propertyOf(display, window, "_NET_WM_NAME");
   return name.empty() ? propertyOf(display, window, "WM_NAME") : name;
 }
@@ -52,7 +52,7 @@ std::string windowManagerOf(Display* display) {
   const std::string bytes = propertyOf(display, DefaultRootWindow(display), "_NET_SUPPORTING_WM_CHECK");
   ::Window window = None;
   if (bytes.size() == sizeof window) std::memcpy(&window, bytes.data(), sizeof window);
-  return nameOf(display, window);
+  return windowName(display, window);
 }
 
 bool hasExtension(Display* display, const char* name) {
@@ -84,7 +84,7 @@ DisplayFacts displayFacts(const Graphics& graphics) {
                      });
   const ::Window compositor = compositorOf(display);
   facts.hasCompositor = compositor != None;
-  facts.compositor = nameOf(display, compositor);
+  facts.compositor = windowName(display, compositor);
   if (facts.compositor.empty()) facts.compositor = windowManagerOf(display);
   facts.hasQuadBuffer = hasQuadBuffer();
   graphics.makeCurrent();

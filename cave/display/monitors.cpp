@@ -40,7 +40,7 @@ double rateOf_hz(Display* display, XRRScreenResources* resources, RROutput outpu
   return 0.0;
 }
 
-std::string nameOf(Display* display, Atom atom) {
+std::string atomName(Display* display, Atom atom) {
   const std::unique_ptr<char, decltype(&XFree)> name(XGetAtomName(display, atom), XFree);
   return name ? name.get() : "";
 }
@@ -69,8 +69,10 @@ std::vector<Monitor> monitors() {
       const XRRMonitorInfo& monitor = all.get()[i];
       const double rate_hz =
           resources && monitor.noutput > 0 ? rateOf_hz(display, resources.get(), monitor.outputs[0]) : 0.0;
-      found.push_back(
-          {nameOf(display, monitor.name), {monitor.x, monitor.y}, {monitor.width, monitor.height}, rate_hz});
+      found.push_back({atomName(display, monitor.name),
+                       {monitor.x, monitor.y},
+                       {monitor.width, monitor.height},
+                       rate_hz});
     }
   }
   const int screen = DefaultScreen(display);

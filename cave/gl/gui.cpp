@@ -88,7 +88,7 @@ std::vector<Ranges>& moreLetters() {
   return ranges;
 }
 
-bool isAlways(char32_t letter) {
+bool isInEveryFont(char32_t letter) {
   for (std::size_t i = 0; kLetters[i] != 0; i += 2) {
     if (letter >= kLetters[i] && letter <= kLetters[i + 1]) return true;
   }
@@ -115,7 +115,7 @@ void Gui::setLetters(std::u32string_view letters) {
   std::u32string sorted(letters);
   std::sort(sorted.begin(), sorted.end());
   for (const char32_t letter : sorted) {
-    const std::optional<std::size_t> font = isAlways(letter) ? std::nullopt : fontOf(letter);
+    const std::optional<std::size_t> font = isInEveryFont(letter) ? std::nullopt : fontOf(letter);
     if (!font || letter > std::numeric_limits<ImWchar>::max()) continue;
     Ranges& ranges = all[*font];
     const auto sign = static_cast<ImWchar>(letter);

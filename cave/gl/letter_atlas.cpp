@@ -30,12 +30,11 @@ std::u32string& setLetters() {
   return letters;
 }
 
-bool isAlways(char32_t letter) {
+bool isOnEveryPlate(char32_t letter) {
   return letter < kFirst + kAscii || std::find(kMore.begin(), kMore.end(), letter) != kMore.end();
 }
 
 constexpr unsigned kEm_px = 80;                                 // an advance is 0.602 of it
-constexpr int kCapital_px = 58;                                 // 0.729 of it
 constexpr int kFoot_px = (kLetterCell_px.y - kCapital_px) / 2;  // capitals and digits stand in the middle
 
 void drawLetter(FT_Face face, char32_t letter, int cell, LetterAtlas& atlas) {
@@ -107,7 +106,7 @@ LetterAtlas& keptAtlas() {
 
 void setPlateLetters(std::u32string_view letters) {
   std::u32string more(letters);
-  std::erase_if(more, isAlways);
+  std::erase_if(more, isOnEveryPlate);
   std::sort(more.begin(), more.end());
   more.erase(std::unique(more.begin(), more.end()), more.end());
   more.resize(std::min(more.size(), kMostSet));

@@ -14,6 +14,7 @@ namespace carom {
 inline constexpr int kLetterColumns = 16, kLetterRows = 7;  ///< of the letters that there always are
 inline constexpr int kMostLetterRows = 16;
 inline constexpr glm::ivec2 kLetterCell_px{58, 96};
+inline constexpr int kCapital_px = 58;  ///< the height of a capital: 0.729 of the em
 
 /// DejaVu Sans Mono, of the package fonts-dejavu-core.
 inline constexpr const char* kPlateLettersFile = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono-Bold.ttf";

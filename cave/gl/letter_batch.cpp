@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kNearest = 1e-3;  // of clip w, the distance from the eye: metres
 // Of a cell, over the height of capitals, which stand in its middle.
-constexpr double kCapital_px = 58.0;
-const glm::dvec2 kCell(kLetterCell_px.x / kCapital_px, kLetterCell_px.y / kCapital_px);
-constexpr double kBelow = 0.5 * (kLetterCell_px.y / kCapital_px - 1.0);
+constexpr double kUnit_px = kCapital_px;
+const glm::dvec2 kCell(kLetterCell_px.x / kUnit_px, kLetterCell_px.y / kUnit_px);
+constexpr double kBelow = 0.5 * (kLetterCell_px.y / kUnit_px - 1.0);
 
 }  // namespace
 

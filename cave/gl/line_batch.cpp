@@ -14,8 +14,8 @@
 namespace carom {
 namespace {
 
-constexpr double kThinnest_px = 0.6;  // half of a width; thinner lines would have gaps
-constexpr double kNearest = 1e-3;     // of clip w, the distance from the eye: metres
+constexpr double kThinnest_px = 0.6;   // half of a width; thinner lines would have gaps
+constexpr double kNearestLine = 1e-3;  // of clip w, the distance from the eye: metres
 
 /// Returns how many pixels a metre across the line of sight has at w = 1: the part of the matrix's x row that
 /// is not along the direction in which w grows.
@@ -36,10 +36,11 @@ LineBatch::LineBatch()
 void LineBatch::add(const Ribbon& ribbon, const glm::dmat4& clipFromRoom, const glm::dvec2& half_px) {
   std::array<glm::dvec4, 2> ends{clipFromRoom * glm::dvec4(ribbon.from_m, 1.0),
                                  clipFromRoom * glm::dvec4(ribbon.to_m, 1.0)};
-  if (!(std::max(ends[0].w, ends[1].w) > kNearest)) return;
+  if (!(std::max(ends[0].w, ends[1].w) > kNearestLine)) return;
   for (std::size_t i = 0; i < 2; ++i) {  // cuts off the part behind the eye
     const glm::dvec4& other = ends[1 - i];
-    if (ends[i].w < kNearest) ends[i] += (other - ends[i]) * ((kNearest - ends[i].w) / (other.w - ends[i].w));
+    if (ends[i].w < kNearestLine)
+      ends[i] += (other - ends[i]) * ((kNearestLine - ends[i].w) / (other.w - ends[i].w));
   }
   const auto onPicture = [&](const glm::dvec4& clip) { return glm::dvec2(clip) / clip.w * half_px; };
   const glm::dvec2 along_px = onPicture(ends[1]) - onPicture(ends[0]);

@@ -19,6 +19,10 @@ class PanelPicture {
  public:
   using Rgba = std::array<std::uint8_t, 4>;  ///< sRGB and opacity
 
+  /// The ground of what a hand points to, and the letters on it.
+  static constexpr Rgba kPointed{245, 190, 60, 245};
+  static constexpr glm::vec3 kOnPointed{15.0F, 15.0F, 15.0F};
+
   /// Create and destroy it with the drawing context current.
   PanelPicture();
 

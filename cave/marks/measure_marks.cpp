@@ -14,8 +14,6 @@
 namespace carom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Adds a strip on the cloth.
 void addFlat(MarkBuffer& batch, const Resting& draw, const Vec3& from_m, const Vec3& to_m,
              const Vec3& halfWidth_m, const glm::vec4& colour) {
@@ -145,7 +143,9 @@ void addRay(MarkBuffer& batch, const Resting& draw, const Vec3& middle_m, double
 }
 
 /// Returns the turn from one azimuth to another, the shorter way round.
-double turnBetween(double from_rad, double to_rad) { return std::remainder(to_rad - from_rad, 2.0 * kPi); }
+double turnBetween(double from_rad, double to_rad) {
+  return std::remainder(to_rad - from_rad, 2.0 * std::numbers::pi);
+}
 
 void addParting(const MarkContext& sight, const Resting& draw, const GameEvent& event, float shown,
                 LabelLayout& crowd, MarkBuffer& batch) {
@@ -169,8 +169,9 @@ void addParting(const MarkContext& sight, const Resting& draw, const GameEvent& 
   }
   const double middle_rad = ways_rad[0] + 0.5 * apart_rad;
   const Vec3 foot_m = middle_m + (kArc_m + 0.03) * Vec3(std::cos(middle_rad), std::sin(middle_rad), 0.0);
-  StandingPlate plate = standingPlate(
-      sight, measured(texts::plate::kAngle, std::abs(apart_rad) * 180.0 / kPi), PlateShape::box, foot_m);
+  StandingPlate plate =
+      standingPlate(sight, measured(texts::plate::kAngle, std::abs(apart_rad) * 180.0 / std::numbers::pi),
+                    PlateShape::box, foot_m);
   plate.foot_m.z += crowd.raise_m(plate);
   const std::array<glm::dvec3, 2> pin{draw(foot_m), draw(plate.foot_m)};
   batch.addLine(pin, faint, 0.0008);

@@ -49,6 +49,8 @@ int cellsFor(double length_m, double cell_m) {
   return std::max(1, static_cast<int>(std::ceil(std::min(length_m / cell_m - 1e-9, kMost))));
 }
 
+int tiledCells(double length_m, double cell_m) { return tiledCells(cellsFor(length_m, cell_m)); }
+
 void MeshBuilder::addPatch(int cellsU, int cellsV, const std::function<PatchPoint(double, double)>& at) {
   const std::size_t first = points_.size();
   patches_.push_back({static_cast<int>(first), cellsU, cellsV});
@@ -77,8 +79,7 @@ void MeshBuilder::addPatch(int cellsU, int cellsV, const std::function<PatchPoin
 
 void MeshBuilder::addFlat(const glm::dvec3& corner, const glm::dvec3& alongU, const glm::dvec3& alongV,
                           double cell_m) {
-  addPatch(tiledCells(cellsFor(glm::length(alongU), cell_m)),
-           tiledCells(cellsFor(glm::length(alongV), cell_m)),
+  addPatch(tiledCells(glm::length(alongU), cell_m), tiledCells(glm::length(alongV), cell_m),
            [&](double u, double v) { return PatchPoint{corner + u * alongU + v * alongV}; });
 }
 
@@ -88,7 +89,7 @@ void MeshBuilder::addTurned(const glm::dvec3& foot, const std::vector<glm::dvec2
   for (const glm::dvec2& p : profile) widest_m = std::max(widest_m, p.x);
   const int around = tiledCells(std::max(sectors, cellsFor(2.0 * std::numbers::pi * widest_m, cell_m)));
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-    const int along = tiledCells(cellsFor(glm::distance(profile[i], profile[i + 1]), cell_m));
+    const int along = tiledCells(glm::distance(profile[i], profile[i + 1]), cell_m);
     addPatch(around, along, [&](double u, double v) {
       const double angle_rad = 2.0 * std::numbers::pi * u;
       const glm::dvec2 p = profile[i] + v * (profile[i + 1] - profile[i]);

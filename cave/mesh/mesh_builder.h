@@ -56,5 +56,7 @@ inline constexpr double kAnyCell_m = std::numeric_limits<double>::infinity();
 
 /// Returns how many cells of at most `cell_m` a length needs.
 int cellsFor(double length_m, double cell_m);
+/// Returns the least such number that parts into tiles (cave/mesh/surface_tiles.h).
+int tiledCells(double length_m, double cell_m);
 
 }  // namespace carom

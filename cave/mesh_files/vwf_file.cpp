@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint32_t kZipped = 0x1, kScreen = 0x40, kBlend16 = 0x100, kBlendFloat = 0x200;
 constexpr std::size_t kHeader_bytes = 60, kPoint_bytes = 16;
 constexpr std::uint32_t kMost_px = 16384;
-constexpr float kFarthest = 1e9F;
+constexpr float kFarthestOnScreen = 1e9F;
 
 struct Header {
   std::size_t bytes = 0, data_bytes = 0;
@@ -96,7 +96,7 @@ std::vector<glm::vec3> pointsIn(std::string_view raw, const Header& header) {
       points.emplace_back(kNone);
       continue;
     }
-    const float farthest = isScreen ? kFarthest : static_cast<float>(kFarthestInWindow);
+    const float farthest = isScreen ? kFarthestOnScreen : static_cast<float>(kFarthestInWindow);
     if (std::max({std::abs(x), std::abs(y), isScreen ? std::abs(z) : 0.0F}) > farthest)
       meshFault(1, 1,
                 fmt::format("point ({}, {}) is {:g}, {:g}, {:g}, expected numbers from {:g} to {:g}",

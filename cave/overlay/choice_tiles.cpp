@@ -15,8 +15,8 @@ namespace carom {
 namespace {
 
 constexpr double kFlat = 0.27;  // tiles lower than this share of their width have one line
-constexpr PanelPicture::Rgba kNothing{0, 0, 0, 0}, kTile{20, 44, 78, 225}, kPointed{245, 190, 60, 245};
-constexpr glm::vec3 kOnTile(240.0F), kOnPointed(15.0F);
+constexpr PanelPicture::Rgba kNothing{0, 0, 0, 0}, kTile{20, 44, 78, 225};
+constexpr glm::vec3 kOnTile(240.0F);
 
 bool isFlat(const glm::ivec2& tile_px) { return tile_px.y < kFlat * tile_px.x; }
 
@@ -93,9 +93,9 @@ const ChoiceTiles::Label& ChoiceTiles::labelOf(const Painted& tile) {
 void ChoiceTiles::paintTile(std::size_t tile, const glm::ivec2& from_px) {
   const auto& [action, unused, tile_px, language] = painted_[tile];
   const bool isPointed = action == pointed_;
-  panel_.fill(from_px, tile_px, isPointed ? kPointed : kTile);
+  panel_.fill(from_px, tile_px, isPointed ? PanelPicture::kPointed : kTile);
   const auto centred = [&](int width_px) { return from_px.x + (tile_px.x - width_px) / 2; };
-  const glm::vec3 colour = isPointed ? kOnPointed : kOnTile;
+  const glm::vec3 colour = isPointed ? PanelPicture::kOnPointed : kOnTile;
   const Label& label = labelOf(painted_[tile]);
   if (isFlat(tile_px)) {  // the key stands behind the name
     const int name_px = label.name.size_px.x + tile_px.y / 3;

@@ -23,9 +23,9 @@ constexpr double kPitch = 1.35, kBarPitch = 0.8, kBarHeight = 0.55, kPairGap = 0
 constexpr double kBarLength = 11.0,
                  kShortBar = 5.0;  // of all votes; while the lesson explains, which needs the wall
 constexpr double kNumberWidth = 2.2, kCountWidth = 2.2, kPadding = 0.6;
-constexpr PanelPicture::Rgba kGround{12, 14, 18, 205}, kLight{255, 255, 255, 255}, kDark{0, 0, 0, 255};
+constexpr PanelPicture::Rgba kBoardGround{12, 14, 18, 205}, kLight{255, 255, 255, 255}, kDark{0, 0, 0, 255};
 constexpr std::array<PanelPicture::Rgba, kVotes> kBars{{{96, 160, 255, 255}, {255, 170, 70, 255}}};
-constexpr glm::vec3 kWhite(235.0F), kGreen(110.0F, 225.0F, 140.0F);
+constexpr glm::vec3 kBoardInk(235.0F), kGreen(110.0F, 225.0F, 140.0F);
 
 std::uint64_t allOf(const VoteCounts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -151,11 +151,12 @@ void ClassBoard::paintBars(int top_px) {
       const glm::ivec2 bar_px{std::max(1, px(barLength(view_) * share)), px(kBarHeight)};
       const int bar_left_px = left_px + px(kNumberWidth);
       panel_.fill({bar_left_px, top_px}, bar_px, kBars[vote]);
-      panel_.write({bar_left_px + bar_px.x + px(0.3), top_px}, ink(std::to_string(count), small_px), kWhite);
+      panel_.write({bar_left_px + bar_px.x + px(0.3), top_px}, ink(std::to_string(count), small_px),
+                   kBoardInk);
       if (vote > 0 && isCounted(view_, 0)) continue;
       panel_.write({left_px, top_px},
                    ink(isRight ? number + texts::classroom::kRight.words() : number, small_px),
-                   isRight ? kGreen : kWhite);
+                   isRight ? kGreen : kBoardInk);
     }
     top_px -= px(kPairGap);
   }
@@ -165,7 +166,7 @@ void ClassBoard::paintBars(int top_px) {
   for (std::size_t vote = 0; vote < kVotes; ++vote) {
     const GlyphBitmap name = ink(texts::classroom::kVotes.at(vote), small_px);
     panel_.fill({at_px, top_px}, glm::ivec2(px(kBarHeight)), kBars[vote]);
-    panel_.write({at_px + px(kBarPitch), top_px}, name, kWhite);
+    panel_.write({at_px + px(kBarPitch), top_px}, name, kBoardInk);
     at_px += px(2.0 * kBarPitch) + name.size_px.x;
   }
 }
@@ -173,12 +174,12 @@ void ClassBoard::paintBars(int top_px) {
 void ClassBoard::paint() {
   const auto px = [this](double letters) { return static_cast<int>(letters * letter_px_); };
   const int left_px = begin_px();
-  panel_.begin(size_px_, kGround);
+  panel_.begin(size_px_, kBoardGround);
   paintCode();
   int foot_px = size_px_.y - px(kPadding);
   for (const Line& line : lines_) {
     foot_px -= px(kPitch);
-    panel_.write({left_px, foot_px + px(0.3)}, line.ink, kWhite);
+    panel_.write({left_px, foot_px + px(0.3)}, line.ink, kBoardInk);
   }
   if (showsBars()) paintBars(foot_px - px(kPadding) / 2);
   panel_.upload();

@@ -19,9 +19,9 @@
 namespace carom {
 namespace {
 
-constexpr glm::vec4 kIdle(0.75F, 0.85F, 1.0F, 0.45F), kAimed(1.0F, 0.93F, 0.55F, 0.95F);
+constexpr glm::vec4 kUnaimed(0.75F, 0.85F, 1.0F, 0.45F), kAimed(1.0F, 0.93F, 0.55F, 0.95F);
 constexpr glm::vec4 kWood(0.80F, 0.56F, 0.30F, 1.0F), kTip(0.92F, 0.92F, 0.95F, 1.0F);
-constexpr glm::vec4 kGround(0.05F, 0.055F, 0.07F, 0.70F), kInk(0.93F, 0.93F, 0.93F, 1.0F),
+constexpr glm::vec4 kScaleGround(0.05F, 0.055F, 0.07F, 0.70F), kInk(0.93F, 0.93F, 0.93F, 1.0F),
     kTrack(0.25F, 0.26F, 0.30F, 1.0F);
 constexpr double kOwnRay_m = 0.15;  // a ray that begins nearer to the eyes is seen end-on
 constexpr double kRay_m = 0.002, kDot_m = 0.008;
@@ -130,7 +130,7 @@ void CueOverlay::addText(const FacingPlane& plane, double across, double upwards
 
 /// Adds the ray. For the eye from which a ray starts it is a point, so only its end is drawn.
 void CueOverlay::addRay(const HandView& hand, const glm::dvec3& eyes_m, const RoomGeometry& room) {
-  const glm::vec4& colour = hand.target ? kAimed : kIdle;
+  const glm::vec4& colour = hand.target ? kAimed : kUnaimed;
   if (glm::distance(hand.from_m, eyes_m) > kOwnRay_m) addLine(hand.from_m, hand.to_m, kRay_m, colour);
   const FacingPlane end = facing(hand.to_m, eyes_m, room);
   const double dot_m = std::max(kDot_m, 0.004 * end.distance_m);
@@ -211,7 +211,7 @@ void CueOverlay::addScale(const HandView& hand, const ForceView& force, const Fa
   const auto on = [&](double across, double upwards) { return target.at(aside + across, upwards); };
   const double readout = force.shown ? kReadout + kForceReadout : kReadout;
   addLine(on(kPanelMiddle, foot - readout), on(kPanelMiddle, up(kMostCost) + 0.015), kPanel * unit_m,
-          kGround);
+          kScaleGround);
   addLine(on(0.0, up(0.0)), on(0.0, up(kMostCost)), kBar * unit_m, kTrack);
   addLine(on(0.0, up(0.0)), on(0.0, up(cost)), kBar * unit_m, colourOf(cost));
   for (std::size_t i = 0; i < kTicks.size(); ++i) {

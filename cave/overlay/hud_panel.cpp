@@ -15,8 +15,8 @@ constexpr double kLine = 1.5;         // from line to line of the panel, in that
 constexpr double kText = 2.0;         // where its text begins, behind the marks of the legend
 constexpr double kSmallest_px = 9.0;  // smaller letters are illegible
 constexpr PanelPicture::Rgba kGround{12, 14, 18, 175};  // dark; half of the picture shows through
-constexpr PanelPicture::Rgba kButton{32, 66, 112, 235}, kOn{62, 84, 96, 235}, kPointed{245, 190, 60, 245};
-constexpr glm::vec3 kWhite(235.0F), kUrgent(255.0F, 200.0F, 70.0F), kOnPointed(15.0F);  // letters
+constexpr PanelPicture::Rgba kButton{32, 66, 112, 235}, kOn{62, 84, 96, 235};
+constexpr glm::vec3 kWhite(235.0F), kUrgent(255.0F, 200.0F, 70.0F);  // letters
 
 /// Returns the indent of a line, which is that of an answer behind its number.
 int beginOf_px(const HudLine& line, int height_px) { return line.setIn ? 8 * height_px / 5 : 0; }
@@ -140,19 +140,19 @@ void HudPanel::paintBand() {
     const HudLine& line = lines_[button.line].line;
     const bool isOn = !button.isRow && line.chips[button.chip].isOn;
     panel_.fill(button.part.from_px, button.part.size_px,
-                isPointed(button.action) ? kPointed
+                isPointed(button.action) ? PanelPicture::kPointed
                 : isOn                   ? kOn
                                          : kButton);
     if (button.isRow) continue;
     const GlyphBitmap& words = lines_[button.line].chips[button.chip];
     const int left_px = button.part.from_px.x + (button.part.size_px.x - words.size_px.x) / 2;
-    const glm::vec3& colour = isPointed(button.action) ? kOnPointed : isOn ? kUrgent : kWhite;
+    const glm::vec3& colour = isPointed(button.action) ? PanelPicture::kOnPointed : isOn ? kUrgent : kWhite;
     panel_.write({left_px, footIn(button.part)}, words, colour);
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const HudLine& line = lines_[i].line;
     const int text_px = static_cast<int>(kBandMargin * height_px) + beginOf_px(line, height_px);
-    const glm::vec3 colour = isPointed(line.row) ? kOnPointed
+    const glm::vec3 colour = isPointed(line.row) ? PanelPicture::kOnPointed
                              : line.urgent       ? kUrgent
                              : line.mark         ? 255.0F * *line.mark
                                                  : kWhite;

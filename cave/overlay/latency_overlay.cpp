@@ -14,9 +14,9 @@ namespace carom {
 namespace {
 
 const ImVec4 kGood{0.35F, 0.75F, 0.45F, 1.0F}, kBad{0.95F, 0.35F, 0.25F, 1.0F};
-const ImVec4 kIdle{0.35F, 0.45F, 0.6F, 1.0F};  // colour of waits, which cost nothing
-constexpr float kBar_em = 16.0F;               // length of one display period
-constexpr float kBars_periods = 1.25F;         // a bar's greatest length
+const ImVec4 kWaits{0.35F, 0.45F, 0.6F, 1.0F};  // colour of waits, which cost nothing
+constexpr float kBar_em = 16.0F;                // length of one display period
+constexpr float kBars_periods = 1.25F;          // a bar's greatest length
 
 bool isWait(FramePart part) { return part == FramePart::wait || part == FramePart::share; }
 
@@ -37,7 +37,7 @@ void bar(const PartStatistics& part, float period_s, bool waits) {
   ImGui::Dummy({limit, em});
   list.AddLine({at(period_s), from.y - 2.0F}, {at(period_s), bottom + 3.0F}, IM_COL32(255, 255, 255, 160));
   if (part.frames == 0) return;
-  const ImVec4 colour = waits ? kIdle : part.p99_s > period_s ? kBad : kGood;
+  const ImVec4 colour = waits ? kWaits : part.p99_s > period_s ? kBad : kGood;
   list.AddRectFilled({from.x, from.y + 1.0F}, {std::max(at(part.median_s), from.x + 1.0F), bottom},
                      ImGui::GetColorU32(colour));
   list.AddLine({at(part.p99_s), from.y}, {at(part.p99_s), bottom}, ImGui::GetColorU32(colour), 2.0F);

@@ -8,25 +8,23 @@
 #include <glm/geometric.hpp>
 
 #include "cave/mesh/mesh_builder.h"
-#include "cave/mesh/surface_tiles.h"
 #include "cave/scene/table_model.h"
 
 namespace carom {
 namespace {
 
-constexpr double kCell_m = 1.0 / 6.0;  // the same for all parts that meet: different cells would leave cracks
+constexpr double kHallCell_m =
+    1.0 / 6.0;  // the same for all parts that meet: different cells would leave cracks
 constexpr double kColumnCell_m = 0.3;
 constexpr float kPolish = 0.12F;  // roughness of the floor's stone
 
-/// Returns how many cells of at most `cell_m` that part into tiles a length needs.
-int tiled(double length_m, double cell_m) { return tiledCells(cellsFor(length_m, cell_m)); }
-
 ScenePart floorPart(const Hall& hall, double cell_m) {
   MeshBuilder floor;
-  floor.addPatch(tiled(hall.size_m.x, cell_m), tiled(hall.size_m.y, cell_m), [&](double u, double v) {
-    const glm::dvec2 place((u - 0.5) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
-    return PatchPoint{{place, hall.floor_m}};
-  });
+  floor.addPatch(tiledCells(hall.size_m.x, cell_m), tiledCells(hall.size_m.y, cell_m),
+                 [&](double u, double v) {
+                   const glm::dvec2 place((u - 0.5) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
+                   return PatchPoint{{place, hall.floor_m}};
+                 });
   return {kRestingBody, floor.build(), Paint::floor, glm::vec3(0.50F, 0.43F, 0.34F), kPolish};
 }
 
@@ -53,10 +51,11 @@ double lightBesideLamps(const Hall& hall, const glm::dvec2& place) {
 ScenePart ceilingPart(const Hall& hall, double cell_m) {
   MeshBuilder ceiling;
   const double z = hall.floor_m + hall.size_m.z;
-  ceiling.addPatch(tiled(hall.size_m.x, cell_m), tiled(hall.size_m.y, cell_m), [&](double u, double v) {
-    const glm::dvec2 place((0.5 - u) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
-    return PatchPoint{{place, z}, {place, -lightBesideLamps(hall, place)}};
-  });
+  ceiling.addPatch(tiledCells(hall.size_m.x, cell_m), tiledCells(hall.size_m.y, cell_m),
+                   [&](double u, double v) {
+                     const glm::dvec2 place((0.5 - u) * hall.size_m.x, (v - 0.5) * hall.size_m.y);
+                     return PatchPoint{{place, z}, {place, -lightBesideLamps(hall, place)}};
+                   });
   return {kRestingBody, ceiling.build(), Paint::panels, kHallColours[4], 0.0F};
 }
 
@@ -66,7 +65,7 @@ ScenePart wallPart(const Hall& hall, const glm::dvec2& outwards, const glm::vec3
   const double half_m = 0.5 * (outwards.x == 0.0 ? hall.size_m.y : hall.size_m.x);
   const double width_m = outwards.x == 0.0 ? hall.size_m.x : hall.size_m.y;
   MeshBuilder wall;
-  wall.addPatch(tiled(width_m, cell_m), tiled(hall.size_m.z, cell_m), [&](double u, double v) {
+  wall.addPatch(tiledCells(width_m, cell_m), tiledCells(hall.size_m.z, cell_m), [&](double u, double v) {
     const double along_m = (u - 0.5) * width_m;
     const double up_m = v * hall.size_m.z;
     return PatchPoint{{half_m * outwards + along_m * along, hall.floor_m + up_m}, {along_m, up_m, 1.1}};
@@ -118,7 +117,7 @@ ScenePart ceilingLampsPart(const Hall& hall, double cell_m) {
 }  // namespace
 
 std::vector<ScenePart> hallParts(const Hall& hall) {
-  constexpr double cell_m = kCell_m;
+  constexpr double cell_m = kHallCell_m;
   std::vector<ScenePart> parts = wallClocks(hall, cell_m);
   parts.push_back(columnsPart(hall));
   parts.push_back(wallPart(hall, {0, 1}, kHallColours[2], cell_m));

@@ -6,8 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "cave/mesh/surface_tiles.h"
-
 namespace carom {
 namespace {
 
@@ -15,7 +13,7 @@ constexpr double kRailTop_m = 0.045;     // above the cloth
 constexpr double kRailMiddle_m = 0.105;  // outwards from the cushion's edge: the place of diamonds and clocks
 constexpr double kRailEnd_m = 0.175;
 constexpr double kClockWidth_m = 0.26;
-constexpr double kCell_m = 0.05;
+constexpr double kTableCell_m = 0.05;
 
 const glm::vec3 kClothColour(0.030F, 0.185F, 0.085F);
 const glm::vec3 kWoodColour(0.23F, 0.085F, 0.034F);
@@ -38,12 +36,9 @@ std::array<Side, 4> sidesOf(const Board& board) {
           Side{{-1, 0}, {0, -1}, x, y, onLong}, Side{{0, -1}, {1, 0}, y, x, onShort}};
 }
 
-/// Returns how many cells of at most `cell_m` that part into tiles a length needs.
-int tiled(double length_m, double cell_m) { return tiledCells(cellsFor(length_m, cell_m)); }
-
 /// Returns the number of cells along a side of the cloth: as many as the frame's outer edge needs, and the
 /// same in all parts that meet there.
-int cellsAlong(double side_m, double cell_m) { return tiled(side_m + 2.0 * kRailEnd_m, cell_m); }
+int cellsAlong(double side_m, double cell_m) { return tiledCells(side_m + 2.0 * kRailEnd_m, cell_m); }
 
 /// Adds a strip of the frame around the cloth, mitred at the corners, with the profile from `from` to `to` in
 /// (outwards, z).
@@ -51,7 +46,7 @@ void addStrip(MeshBuilder& mesh, const Board& board, const glm::dvec2& from, con
               double cell_m) {
   const bool diamonds = from.y == kRailTop_m && to.y == kRailTop_m;
   for (const Side& side : sidesOf(board)) {
-    mesh.addPatch(cellsAlong(2.0 * side.halfLength_m, cell_m), tiled(glm::distance(from, to), cell_m),
+    mesh.addPatch(cellsAlong(2.0 * side.halfLength_m, cell_m), tiledCells(glm::distance(from, to), cell_m),
                   [&](double u, double v) {
                     const glm::dvec2 p = from + v * (to - from);
                     const double along_m = (2.0 * u - 1.0) * (side.halfLength_m + p.x);
@@ -74,8 +69,8 @@ void addLeg(MeshBuilder& mesh, const glm::dvec2& at, double top_m, double floor_
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec2 a = corners[i];
     const glm::dvec2 b = corners[(i + 1) % 4];
-    mesh.addPatch(tiled(0.15, std::min(0.075, cell_m)), tiled(top_m - floor_m, std::min(0.075, cell_m)),
-                  [&](double u, double v) {
+    mesh.addPatch(tiledCells(0.15, std::min(0.075, cell_m)),
+                  tiledCells(top_m - floor_m, std::min(0.075, cell_m)), [&](double u, double v) {
                     const double half_m = 0.075 - 0.03 * v;
                     const glm::dvec2 place = at + half_m * (b + u * (a - b));
                     return PatchPoint{{place, top_m + v * (floor_m - top_m)},
@@ -104,7 +99,7 @@ ScenePart clothPart(const glm::dvec2& size_m, double cell_m) {
 }  // namespace
 
 std::vector<ScenePart> tableParts(const Board& board, double floor_m) {
-  constexpr double cell_m = kCell_m;
+  constexpr double cell_m = kTableCell_m;
   MeshBuilder cushions;
   addProfile(cushions, board, {{0.0, 0.0}, {0.0, 0.034}, {0.012, 0.040}, {0.05, kRailTop_m}}, cell_m);
   MeshBuilder wood;
@@ -139,7 +134,7 @@ std::vector<ScenePart> tableParts(const Board& board, double floor_m) {
   return parts;
 }
 
-std::vector<ScenePart> openPlaneParts(double size_m) { return {clothPart({size_m, size_m}, kCell_m)}; }
+std::vector<ScenePart> openPlaneParts(double size_m) { return {clothPart({size_m, size_m}, kTableCell_m)}; }
 
 void ClockMaker::add(const glm::dvec3& foot_m, const glm::dvec3& facing, double width_m, double cell_m) {
   cell_m = std::max(cell_m, width_m / 8.0);
@@ -154,7 +149,7 @@ void ClockMaker::add(const glm::dvec3& foot_m, const glm::dvec3& facing, double 
     // digits' field is 0.9 times as wide as the side and, as body_vert.glsl relies on, 0.4 times as high as
     // it is wide.
     const double field_m = 0.9 * width_m;
-    faces_.addPatch(tiled(width_m, cell_m), tiled(height_m, cell_m), [&](double u, double v) {
+    faces_.addPatch(tiledCells(width_m, cell_m), tiledCells(height_m, cell_m), [&](double u, double v) {
       return PatchPoint{
           corner + u * width_m * right + v * height_m * up,
           {2.0 + 4.0 * (u - 0.5) * width_m / field_m, 0.5 + (v - 0.5) * height_m / (0.4 * field_m), field_m}};

@@ -10,8 +10,6 @@
 namespace carom {
 namespace {
 
-constexpr double kMostOff_px = 0.05;
-
 /// Returns how long a cell may be in pixels of the window where a curve of this radius is drawn as chords: a
 /// chord of length L stands off its arc by L²/(8R).
 double cell_px(double radius_px) { return std::sqrt(8.0 * kMostOff_px * radius_px); }

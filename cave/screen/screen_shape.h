@@ -8,6 +8,9 @@
 
 namespace carom {
 
+/// So far at most a place of the window is drawn off its place on a curved screen.
+inline constexpr double kMostOff_px = 0.05;
+
 /// Part of a cylinder, seen from its inside. Angles are about the axis, from the direction `ahead`, positive
 /// to the right of somebody who looks that way with the axis upwards. Room frame, metres and radians.
 struct CylinderScreen {
@@ -37,8 +40,7 @@ glm::dvec3 placeOn_m(const CylinderScreen& screen, const glm::dvec2& inWindow);
 /// `window_px`: the window's size. A place outside the circle is on the sphere's continuation.
 glm::dvec3 placeOn_m(const DomeScreen& screen, const glm::dvec2& inWindow, const glm::ivec2& window_px);
 
-/// Returns the screen as triangles so small that no place of the window is off its place on the screen by
-/// more than a twentieth of a pixel.
+/// Returns the screen as triangles so small that no place of the window is off by more than kMostOff_px.
 ScreenMesh meshOf(const CylinderScreen& screen, const glm::ivec2& window_px);
 ScreenMesh meshOf(const DomeScreen& screen, const glm::ivec2& window_px);
 

@@ -58,7 +58,6 @@ ScreenMesh cubeMesh(const Sky& sky) {
 // at most aside from a parallel, and for the twist of a quadrilateral near a pole, which its two triangles
 // leave out: Δ²/4. A pixel is 2π/width.
 ScreenMesh equirectangularMesh(const Sky& sky, const glm::ivec2& picture_px) {
-  constexpr double kMostOff_px = 0.05;
   const double cell_rad = std::sqrt(4.0 * kMostOff_px * 2.0 * kPi / picture_px.x);
   const int columns = static_cast<int>(std::ceil(2.0 * kPi / cell_rad)), rows = (columns + 1) / 2;
   ScreenMesh mesh;

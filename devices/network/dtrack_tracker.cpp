@@ -18,11 +18,10 @@
 namespace carom {
 namespace {
 
-constexpr std::uint16_t kUsualPort = 5000;
-constexpr std::size_t kMostDatagram = 65536;
-constexpr std::chrono::milliseconds kPause{1000};
+constexpr std::uint16_t kDtrackPort = 5000;
+constexpr std::chrono::milliseconds kDtrackPause{1000};
 constexpr std::chrono::seconds kStartEvery{5};
-constexpr std::uint16_t kCommandPort = 50105;
+constexpr std::uint16_t kDtrackCommandPort = 50105;
 
 /// Starts the measurement, again and again while it fails and nothing comes, and stops it when this object
 /// goes. In a thread of its own: a controller that wakes its cameras up, or does not answer, takes its time.
@@ -92,16 +91,17 @@ void listen(const DtrackSource& source, DeviceSink& sink, const std::stop_token&
 DtrackSource readDtrackSource(std::string_view text) {
   constexpr std::string_view kExample = "udp://0.0.0.0:5000";
   constexpr std::array<std::string_view, 3> kOptions{"from", "interface", "controller"};
-  const SourceUrl url = readSourceUrl(text, "udp", kUsualPort, kOptions, kExample);
+  const SourceUrl url = readSourceUrl(text, "udp", kDtrackPort, kOptions, kExample);
   DtrackSource source{url.local(), url.address("interface"), url.address("from")};
   const auto controller = url.options.find("controller");
-  if (controller != url.options.end()) source.controller = readEndpoint(controller->second, kCommandPort);
+  if (controller != url.options.end())
+    source.controller = readEndpoint(controller->second, kDtrackCommandPort);
   return source;
 }
 
 Transport dtrackTransport(const DtrackSource& source) {
   return [source](const std::stop_token& stop, DeviceSink& sink) {
-    retry(stop, sink, kPause, [&] { listen(source, sink, stop); });
+    retry(stop, sink, kDtrackPause, [&] { listen(source, sink, stop); });
   };
 }
 

@@ -16,10 +16,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr std::uint16_t kCommandPort = 1510, kDataPort = 1511;
-constexpr std::size_t kMostDatagram = 65536;
-constexpr auto kAskEvery = 500ms;
-constexpr auto kGiveUpAfter = 3s;
+constexpr std::uint16_t kNatnetCommandPort = 1510, kNatnetDataPort = 1511;
+constexpr auto kAskNatnetEvery = 500ms;
+constexpr auto kGiveNatnetUpAfter = 3s;
 
 /// From the first question to where the server answers no more.
 class Session {
@@ -48,12 +47,12 @@ class Session {
   /// A server that delivers is only told that we are there; one that does not is asked anew.
   void keepAsking() {
     const auto now = Clock::now();
-    if (now - heard_ > kGiveUpAfter) {
+    if (now - heard_ > kGiveNatnetUpAfter) {
       throw std::runtime_error("no answer from a NatNet server at " + toString(source_.server));
     }
-    if (now - asked_ < kAskEvery) return;
+    if (now - asked_ < kAskNatnetEvery) return;
     asked_ = now;
-    const bool delivers = now - delivered_ < kAskEvery;
+    const bool delivers = now - delivered_ < kAskNatnetEvery;
     if (!delivers) {
       commands_.send(natnetConnect(), server_);
     } else if (!source_.group) {
@@ -121,11 +120,11 @@ class Session {
 NatnetSource readNatnetSource(std::string_view text) {
   constexpr std::string_view kExample = "udp://192.168.1.10:1510";
   constexpr std::array<std::string_view, 2> kOptions{"group", "interface"};
-  const SourceUrl url = readSourceUrl(text, "udp", kCommandPort, kOptions, kExample);
+  const SourceUrl url = readSourceUrl(text, "udp", kNatnetCommandPort, kOptions, kExample);
   NatnetSource source{url.endpoint, {}, url.address("interface")};
   const auto group = url.options.find("group");
   if (group == url.options.end()) return source;
-  const Endpoint place = readEndpoint(group->second, kDataPort);
+  const Endpoint place = readEndpoint(group->second, kNatnetDataPort);
   source.group = Ipv4{ipv4Of(place.host).value_or(0), place.port};
   if (!source.group->isGroup()) {
     throw std::invalid_argument("group is '" + group->second +
@@ -136,7 +135,7 @@ NatnetSource readNatnetSource(std::string_view text) {
 
 Transport natnetTransport(const NatnetSource& source) {
   return [source](const std::stop_token& stop, DeviceSink& sink) {
-    retry(stop, sink, kAskEvery, [&] { Session(source, sink, stop).run(); });
+    retry(stop, sink, kAskNatnetEvery, [&] { Session(source, sink, stop).run(); });
   };
 }
 

@@ -16,9 +16,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr std::uint16_t kUsualPort = 9000;
-constexpr std::size_t kMostDatagram = 65536;
-constexpr auto kPause = 1000ms;
+constexpr std::uint16_t kOscPort = 9000;
+constexpr auto kOscPause = 1000ms;
 constexpr auto kFitsWithin = 3s;  // a sender whose messages fit has sent one by then
 
 /// Returns the addresses that the mapping expects, for people.
@@ -98,13 +97,13 @@ class Listener {
 
 OscSource readOscSource(std::string_view text) {
   constexpr std::array<std::string_view, 2> kOptions{"from", "interface"};
-  const SourceUrl url = readSourceUrl(text, "udp", kUsualPort, kOptions, "udp://0.0.0.0:9000");
+  const SourceUrl url = readSourceUrl(text, "udp", kOscPort, kOptions, "udp://0.0.0.0:9000");
   return {url.local(), url.address("interface"), url.address("from")};
 }
 
 Transport oscTransport(const OscSource& source, const OscMapping& mapping) {
   return [source, mapping](const std::stop_token& stop, DeviceSink& sink) {
-    retry(stop, sink, kPause, [&] { Listener(source, mapping, sink).run(stop); });
+    retry(stop, sink, kOscPause, [&] { Listener(source, mapping, sink).run(stop); });
   };
 }
 

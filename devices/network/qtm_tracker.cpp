@@ -21,11 +21,11 @@ using Clock = std::chrono::steady_clock;
 using Type = QtmPacket::Type;
 using namespace std::chrono_literals;
 
-constexpr std::uint16_t kUsualPort = 22223;
+constexpr std::uint16_t kQtmPort = 22223;
 constexpr std::size_t kMostBytes = 65536;  // read at once
-constexpr auto kPause = 1000ms;
-constexpr auto kAskEvery = 2s;
-constexpr auto kGiveUpAfter = 6s;
+constexpr auto kQtmPause = 1000ms;
+constexpr auto kAskQtmEvery = 2s;
+constexpr auto kGiveQtmUpAfter = 6s;
 constexpr std::uint8_t kShutsDown = 12;  // an event
 constexpr std::size_t kMostShown = 32;
 constexpr std::string_view kGreeting = "QTM RT Interface connected";
@@ -79,10 +79,10 @@ class Bodies {
 };
 
 /// One connection, from its greeting to its end.
-class Session {
+class QtmSession {
  public:
-  Session(const Endpoint& server, const std::vector<std::string>& names, DeviceSink& sink,
-          const std::stop_token& stop)
+  QtmSession(const Endpoint& server, const std::vector<std::string>& names, DeviceSink& sink,
+             const std::stop_token& stop)
       : server_(server),
         sink_(sink),
         stop_(stop),
@@ -184,9 +184,9 @@ class Session {
   /// Asks for names and frames, and again while no frames come.
   void keepAsking() {
     const auto now = Clock::now();
-    if (now - heard_ > kGiveUpAfter) throw std::runtime_error(name() + " has not answered for 6 s");
-    const bool delivers = now - delivered_ < kAskEvery;
-    if (agreed_ && !delivers && now - asked_ > kAskEvery) ask();
+    if (now - heard_ > kGiveQtmUpAfter) throw std::runtime_error(name() + " has not answered for 6 s");
+    const bool delivers = now - delivered_ < kAskQtmEvery;
+    if (agreed_ && !delivers && now - asked_ > kAskQtmEvery) ask();
   }
   void ask() {
     asked_ = Clock::now();
@@ -217,12 +217,12 @@ class Session {
 }  // namespace
 
 Endpoint readQtmServer(std::string_view text) {
-  return readSourceUrl(text, "tcp", kUsualPort, {}, "tcp://192.168.1.10:22223").endpoint;
+  return readSourceUrl(text, "tcp", kQtmPort, {}, "tcp://192.168.1.10:22223").endpoint;
 }
 
 Transport qtmTransport(const Endpoint& server, const std::vector<std::string>& names) {
   return [server, names](const std::stop_token& stop, DeviceSink& sink) {
-    retry(stop, sink, kPause, [&] { Session(server, names, sink, stop).run(); });
+    retry(stop, sink, kQtmPause, [&] { QtmSession(server, names, sink, stop).run(); });
   };
 }
 

@@ -2,6 +2,7 @@
 // Sockets for trackers on a network: IPv4, never blocking, closed by their destructor.
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -10,6 +11,9 @@
 #include <string>
 
 namespace carom {
+
+/// Room for any datagram.
+inline constexpr std::size_t kMostDatagram = 65536;
 
 /// A machine, by name or number, and a port.
 struct Endpoint {

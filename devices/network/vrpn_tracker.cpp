@@ -16,18 +16,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr std::uint16_t kUsualPort = 3883;
+constexpr std::uint16_t kVrpnPort = 3883;
 constexpr auto kPingAfter = 1s;
 constexpr auto kNamesWithin = 1s;   // a server that has met its client names all of its senders at once
 constexpr auto kAnswerWithin = 3s;  // VRPN's own clients wait as long for a device before they complain
-constexpr auto kGiveUpAfter = 5s;
-constexpr auto kPause = 500ms;
+constexpr auto kGiveVrpnUpAfter = 5s;
+constexpr auto kVrpnPause = 500ms;
 constexpr std::size_t kLongestName = 100;  // VRPN's own limit
 
 /// One connection, from its greeting to its end.
-class Session {
+class VrpnSession {
  public:
-  Session(const VrpnSource& source, DeviceSink& sink, const std::stop_token& stop)
+  VrpnSession(const VrpnSource& source, DeviceSink& sink, const std::stop_token& stop)
       : source_(source),
         sink_(sink),
         stop_(stop),
@@ -92,7 +92,7 @@ class Session {
   void keepAlive() {
     const auto now = Clock::now();
     const bool isOurs = decoder_.senderNamed() || decoder_.senderHeard();
-    if (now - heard_ > kGiveUpAfter && (isOurs || !decoder_.spoke())) {
+    if (now - heard_ > kGiveVrpnUpAfter && (isOurs || !decoder_.spoke())) {
       throw std::runtime_error("the server at " + toString(source_.server) +
                                (decoder_.spoke() || !decoder_.greeted()
                                     ? " has not answered for 5 s"
@@ -159,12 +159,12 @@ VrpnSource readVrpnSource(std::string_view text) {
                                 std::string(kExample) + "'");
   }
   return {std::string(text.substr(0, at)),
-          readSourceUrl(text.substr(at + 1), "tcp", kUsualPort, {}, kExample).endpoint};
+          readSourceUrl(text.substr(at + 1), "tcp", kVrpnPort, {}, kExample).endpoint};
 }
 
 Transport vrpnTransport(const VrpnSource& source) {
   return [source](const std::stop_token& stop, DeviceSink& sink) {
-    retry(stop, sink, kPause, [&] { Session(source, sink, stop).run(); });
+    retry(stop, sink, kVrpnPause, [&] { VrpnSession(source, sink, stop).run(); });
   };
 }
 

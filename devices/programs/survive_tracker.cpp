@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr auto kPause = 2000ms;
+constexpr auto kSurvivePause = 2000ms;
 constexpr auto kPosesWithin = 5s;
 constexpr auto kFaultShown = 10s;
 constexpr std::size_t kMostBytes = 65536;  // read at once
@@ -137,7 +137,7 @@ Endpoint readSurviveServer(std::string_view text) {
 
 Transport surviveTransport(const std::optional<Endpoint>& server, const std::vector<std::string>& names) {
   return [server, names](const std::stop_token& stop, DeviceSink& sink) {
-    retry(stop, sink, kPause,
+    retry(stop, sink, kSurvivePause,
           [&] { server ? readServer(*server, names, sink, stop) : readProgram(names, sink, stop); });
   };
 }

@@ -29,7 +29,7 @@ constexpr auto kUnchangedIfLate = 1000us;
 constexpr int kMostLooks = 8;        // at sensors that keep changing
 constexpr auto kCheckEvery = 250ms;  // whether the segment is still there
 constexpr auto kBadFor = 250ms;      // a header that makes no sense for longer is no header
-constexpr auto kPause = 1000ms;
+constexpr auto kTrackdPause = 1000ms;
 constexpr auto kAliveEvery = 100ms;  // a sensor without a time, at rest, counts as seen again
 constexpr auto kQuietFor = 1s;
 constexpr std::size_t kPoseBytes = 24, kTimeBytes = 8;  // of a sensor
@@ -95,7 +95,7 @@ class Wand {
 
   /// Appends the buttons and axes that differ from those before.
   void read(std::vector<Reading>& readings, Clock::time_point now) {
-    if (!segment_ && now - looked_ < kPause) return;
+    if (!segment_ && now - looked_ < kTrackdPause) return;
     try {
       if (!segment_) attach(now);
       readTrackdWand(segment_->bytes(), now_);
@@ -301,7 +301,7 @@ TrackdSource readTrackdSource(std::string_view text) {
 
 Transport trackdTransport(const TrackdSource& source, double unit_m) {
   return [source, unit_m](const std::stop_token& stop, DeviceSink& sink) {
-    retry(stop, sink, kPause, [&] { std::make_unique<Session>(source, unit_m, sink)->run(stop); });
+    retry(stop, sink, kTrackdPause, [&] { std::make_unique<Session>(source, unit_m, sink)->run(stop); });
   };
 }
 

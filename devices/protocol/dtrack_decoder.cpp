@@ -17,9 +17,8 @@ namespace {
 constexpr int kMostIds = 100;
 constexpr int kFlysticks = 100;  // sensors from here on
 constexpr int kHybrids = 200;
-constexpr double kMetresPerMillimetre = 1e-3;
 constexpr double kDay_s = 86400.0;
-constexpr double kLongestLatency_s = 1.0;
+constexpr double kLongestDtrackLatency_s = 1.0;
 constexpr std::size_t kMostInputs = 64;  // buttons, and axes, of a Flystick; there are none with more than 16
 constexpr std::size_t kButtonsPerNumber = 32;
 
@@ -226,7 +225,7 @@ bool DtrackDecoder::readTime2(Line& line) {
   constexpr std::int64_t kMost_s = 1'000'000'000'000, kMost_us = 1'000'000;
   if (*whole_s < 0 || *whole_s > kMost_s || *part_us < 0 || *part_us > kMost_us) return false;
   const double latency_s = static_cast<double>(*latency_us) * 1e-6;
-  if (!(latency_s >= 0.0 && latency_s <= kLongestLatency_s)) return false;
+  if (!(latency_s >= 0.0 && latency_s <= kLongestDtrackLatency_s)) return false;
   latency_s_ = latency_s;
   sent_s_ = static_cast<double>(*whole_s) + static_cast<double>(*part_us) * 1e-6 + latency_s;
   hasTime2_ = true;

@@ -17,11 +17,11 @@ constexpr std::size_t kVec3 = 3 * sizeof(float);
 constexpr std::size_t kBody = 38;            // id, place, quaternion, error, flags
 constexpr std::size_t kLabelledMarker = 26;  // id, place, size, flags, residual
 constexpr std::int16_t kTracked = 1;
-constexpr std::int32_t kMostSensors = 65536;
+constexpr std::int32_t kMostNatnetSensors = 65536;
 constexpr double kLongestLatency_s = 1.0;
 constexpr double kLongestSession_s = 1e9;  // thirty years
 
-glm::dvec3 readVec3(WireReader& wire) {
+glm::dvec3 readFloats(WireReader& wire) {
   const double x = wire.read<float>(), y = wire.read<float>(), z = wire.read<float>();
   return {x, y, z};
 }
@@ -30,8 +30,8 @@ glm::dvec3 readVec3(WireReader& wire) {
 std::optional<Reading> readBody(WireReader& wire) {
   Reading reading;
   reading.sensor = wire.read<std::int32_t>();
-  const glm::dvec3 position_m = readVec3(wire);
-  const glm::dvec3 v = readVec3(wire);
+  const glm::dvec3 position_m = readFloats(wire);
+  const glm::dvec3 v = readFloats(wire);
   const double w = wire.read<float>();
   wire.read<float>();  // mean error of its markers
   const bool isTracked = (wire.read<std::int16_t>() & kTracked) != 0;
@@ -106,7 +106,7 @@ bool NatnetDecoder::readFrame(WireReader& wire, std::vector<Reading>& readings) 
   for (std::uint32_t i = 0; i < bodies; ++i) {
     const auto body = readBody(wire);
     if (!body) return false;
-    if (body->sensor >= 0 && body->sensor < kMostSensors) readings.push_back(*body);
+    if (body->sensor >= 0 && body->sensor < kMostNatnetSensors) readings.push_back(*body);
   }
   skipAfterBodies(wire);
   Reading times;

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kMostBodies = 4096, kLongestName = 100;
+constexpr std::size_t kMostBodies = 4096, kLongestBodyName = 100;
 constexpr int kDeepest = 64;
 
 /// Takes blanks off both ends.
@@ -54,7 +54,7 @@ class Names {
     --depth_;
   }
   void add(std::string_view text) {
-    if (inName_) names.back() += text.substr(0, kLongestName - names.back().size());
+    if (inName_) names.back() += text.substr(0, kLongestBodyName - names.back().size());
   }
   void stop() { XML_StopParser(parser_, XML_FALSE); }
 

@@ -12,8 +12,7 @@ namespace {
 
 constexpr std::uint32_t k6d = 5, k6dResidual = 11;  // types of components
 constexpr std::size_t kComponentHeader = 8;
-constexpr std::uint32_t kMostComponents = 64, kMostBodies = 4096;
-constexpr double kMetresPerMillimetre = 1e-3;
+constexpr std::uint32_t kMostComponents = 64, kMostBodiesOfFrame = 4096;
 constexpr double kSecondsPerMicrosecond = 1e-6;
 
 /// Reads one body into `reading`; false if it is seen and yet has no pose.
@@ -41,7 +40,7 @@ bool takeBodies(std::span<const std::uint8_t> component, bool hasResidual, doubl
   const std::uint32_t count = wire.read<std::uint32_t>();
   wire.skip(2, sizeof(std::uint16_t));  // cameras that dropped out, or out of sync
   const std::size_t size = (hasResidual ? 13 : 12) * sizeof(float);
-  if (!wire.ok() || count > kMostBodies || wire.rest().size() != count * size) return false;
+  if (!wire.ok() || count > kMostBodiesOfFrame || wire.rest().size() != count * size) return false;
   for (std::uint32_t i = 0; i < count; ++i) {
     Reading reading;
     reading.device_s = device_s;

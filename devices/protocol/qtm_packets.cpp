@@ -9,9 +9,9 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kHeader = 8;
+constexpr std::size_t kQtmHeader = 8;
 
-void append(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
+void appendQtm(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
   for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
 }
 
@@ -30,23 +30,23 @@ void QtmPackets::add(std::span<const std::uint8_t> bytes) {
 
 std::optional<QtmPacket> QtmPackets::next() {
   const std::span<const std::uint8_t> rest = std::span(bytes_).subspan(read_);
-  if (rest.size() < kHeader) return {};
+  if (rest.size() < kQtmHeader) return {};
   WireReader wire(rest, std::endian::little);
   const std::size_t size = wire.read<std::uint32_t>();
-  if (size < kHeader || size > kMostBytes) {
+  if (size < kQtmHeader || size > kMostBytes) {
     throw std::runtime_error("a packet says that it has " + std::to_string(size) +
                              " bytes, expected from 8 to " + std::to_string(kMostBytes));
   }
   const auto type = static_cast<QtmPacket::Type>(wire.read<std::uint32_t>());
   if (rest.size() < size) return {};
   read_ += size;
-  return QtmPacket{type, rest.subspan(kHeader, size - kHeader)};
+  return QtmPacket{type, rest.subspan(kQtmHeader, size - kQtmHeader)};
 }
 
 std::vector<std::uint8_t> qtmCommand(std::string_view command) {
   std::vector<std::uint8_t> bytes;
-  append(bytes, static_cast<std::uint32_t>(kHeader + command.size() + 1));
-  append(bytes, static_cast<std::uint32_t>(QtmPacket::Type::command));
+  appendQtm(bytes, static_cast<std::uint32_t>(kQtmHeader + command.size() + 1));
+  appendQtm(bytes, static_cast<std::uint32_t>(QtmPacket::Type::command));
   bytes.insert(bytes.end(), command.begin(), command.end());
   bytes.push_back(0);
   return bytes;

@@ -13,9 +13,9 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kLongestName = 32;
+constexpr std::size_t kLongestDevice = 32;
 constexpr int kButtonUp = 2, kButtonDown = 3;  // kinds of events; others are of touches and axes
-constexpr int kMostButtons = 64;
+constexpr int kMostSurviveButtons = 64;
 constexpr double kLatest_s = 1e11;
 
 std::string_view takeWord(std::string_view& rest) {
@@ -67,7 +67,7 @@ void SurviveDecoder::readLine(std::string_view line, std::vector<Reading>& readi
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
   const auto time_s = numberOf<double>(takeWord(line));
   const std::string_view device = takeWord(line), word = takeWord(line);
-  if (!time_s || !(std::abs(*time_s) <= kLatest_s) || device.size() > kLongestName) return;
+  if (!time_s || !(std::abs(*time_s) <= kLatest_s) || device.size() > kLongestDevice) return;
   Reading reading;
   reading.device_s = *time_s;
   if (word == "POSE") {
@@ -109,7 +109,7 @@ void SurviveDecoder::readButton(std::string_view device, std::string_view number
     return refuse("a button of " + shownName(device) + " cannot be read: '" + shownName(numbers) + '\'');
   const auto [event, button] = *n;
   reading.sensor = sensorOf(device);
-  if (reading.sensor < 0 || button < 0 || button >= kMostButtons) return;
+  if (reading.sensor < 0 || button < 0 || button >= kMostSurviveButtons) return;
   if (event != kButtonUp && event != kButtonDown) return;
   reading.kind = Reading::Kind::button;
   reading.index = button;

@@ -16,27 +16,27 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kCookie = 24;
-constexpr std::size_t kHeader = 24;
+constexpr std::size_t kVrpnHeader = 24;
 constexpr std::size_t kMostRecord = 65536;  // VRPN's own buffers hold 64000
 constexpr std::string_view kMagic = "vrpn: ver. 07.";
 constexpr std::string_view kOurCookie = "vrpn: ver. 07.38  0";
-constexpr std::size_t kLongestName = 100;              // VRPN's own limit
+constexpr std::size_t kLongestVrpnName = 100;          // VRPN's own limit
 constexpr std::string_view kControl = "VRPN Control";  // the connection itself, no device
 constexpr std::int32_t kSenderDescription = -1;
 constexpr std::int32_t kTypeDescription = -2;
-constexpr int kMostSensors = 65536;
+constexpr int kMostVrpnSensors = 65536;
 constexpr int kMostButtons = 256;
 constexpr int kMostChannels = 128;
 
 constexpr std::size_t padded(std::size_t length) { return (length + 7) / 8 * 8; }
 
-glm::dvec3 readVec3(WireReader& wire) {
+glm::dvec3 readDoubles(WireReader& wire) {
   const double x = wire.read<double>(), y = wire.read<double>(), z = wire.read<double>();
   return {x, y, z};
 }
 
 glm::dquat readQuat(WireReader& wire) {
-  const glm::dvec3 v = readVec3(wire);
+  const glm::dvec3 v = readDoubles(wire);
   return {wire.read<double>(), v.x, v.y, v.z};
 }
 
@@ -52,9 +52,9 @@ glm::dvec3 rateOf(const glm::dquat& turn, double interval_s) {
 bool takePose(WireReader& wire, Reading& reading) {
   reading.sensor = wire.read<std::int32_t>();
   wire.read<std::int32_t>();  // padding
-  const glm::dvec3 position_m = readVec3(wire);
+  const glm::dvec3 position_m = readDoubles(wire);
   const auto pose = checkedPose(position_m, readQuat(wire));
-  if (!wire.ok() || !pose || reading.sensor < 0 || reading.sensor >= kMostSensors) return false;
+  if (!wire.ok() || !pose || reading.sensor < 0 || reading.sensor >= kMostVrpnSensors) return false;
   reading.kind = Reading::Kind::pose;
   reading.pose = *pose;
   reading.hasOrientation = true;
@@ -65,10 +65,10 @@ bool takeVelocity(WireReader& wire, Reading& reading) {
   constexpr double kFastest_m_s = 1e4;
   reading.sensor = wire.read<std::int32_t>();
   wire.read<std::int32_t>();
-  reading.velocity_m_s = readVec3(wire);
+  reading.velocity_m_s = readDoubles(wire);
   const auto turn = checkedPose(glm::dvec3(0.0), readQuat(wire));
   const double interval_s = wire.read<double>();
-  if (!wire.ok() || reading.sensor < 0 || reading.sensor >= kMostSensors) return false;
+  if (!wire.ok() || reading.sensor < 0 || reading.sensor >= kMostVrpnSensors) return false;
   if (!turn || !(glm::length(reading.velocity_m_s) <= kFastest_m_s)) return false;
   if (!(interval_s >= 1e-6 && interval_s <= 1e6)) return false;
   reading.kind = Reading::Kind::velocity;
@@ -109,26 +109,26 @@ bool takeChannels(WireReader& wire, Reading reading, std::vector<Reading>& readi
   return true;
 }
 
-void append(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
+void appendVrpn(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
 /// Appends a record of our own. Its time stays zero: servers do not read it.
 void appendRecord(std::vector<std::uint8_t>& bytes, std::int32_t sender, std::int32_t type,
                   std::span<const std::uint8_t> payload) {
-  append(bytes, static_cast<std::uint32_t>(kHeader + payload.size()));
-  append(bytes, 0);
-  append(bytes, 0);
-  append(bytes, static_cast<std::uint32_t>(sender));
-  append(bytes, static_cast<std::uint32_t>(type));
-  append(bytes, 0);
+  appendVrpn(bytes, static_cast<std::uint32_t>(kVrpnHeader + payload.size()));
+  appendVrpn(bytes, 0);
+  appendVrpn(bytes, 0);
+  appendVrpn(bytes, static_cast<std::uint32_t>(sender));
+  appendVrpn(bytes, static_cast<std::uint32_t>(type));
+  appendVrpn(bytes, 0);
   for (const std::uint8_t byte : payload) bytes.push_back(byte);
   bytes.resize(padded(bytes.size()));
 }
 
 void appendName(std::vector<std::uint8_t>& bytes, std::int32_t id, std::int32_t what, std::string_view name) {
   std::vector<std::uint8_t> payload;
-  append(payload, static_cast<std::uint32_t>(name.size() + 1));
+  appendVrpn(payload, static_cast<std::uint32_t>(name.size() + 1));
   for (const char c : name) payload.push_back(static_cast<std::uint8_t>(c));
   payload.push_back(0);
   appendRecord(bytes, id, what, payload);
@@ -161,10 +161,10 @@ bool VrpnDecoder::takeRecord(std::vector<Reading>& readings) {
     used_ += kCookie;
     return true;
   }
-  if (held.size() < kHeader) return false;
+  if (held.size() < kVrpnHeader) return false;
   WireReader wire(held, std::endian::big);
   const std::size_t length = wire.read<std::uint32_t>();
-  if (length < kHeader || length > kMostRecord) {
+  if (length < kVrpnHeader || length > kMostRecord) {
     throw std::runtime_error("it sent a record of " + std::to_string(length) +
                              " bytes, expected 24 to 65536: this is no VRPN, or bytes were lost");
   }
@@ -175,7 +175,7 @@ bool VrpnDecoder::takeRecord(std::vector<Reading>& readings) {
   header.time_s += wire.read<std::uint32_t>() * 1e-6;
   header.sender = wire.read<std::int32_t>();
   header.type = wire.read<std::int32_t>();
-  if (!understand(header, held.subspan(kHeader, length - kHeader), readings)) ++refused_;
+  if (!understand(header, held.subspan(kVrpnHeader, length - kVrpnHeader), readings)) ++refused_;
   used_ += padded(length);
   return true;
 }
@@ -214,7 +214,7 @@ void VrpnDecoder::describe(const Header& header, std::span<const std::uint8_t> p
     if (!namesCount_) return;
     if (senders_[id]) senderNamed_ = true;
     if (name == kControl || named_.size() == kMostNamed) return;
-    named_.push_back({header.sender, std::string(name.substr(0, kLongestName))});
+    named_.push_back({header.sender, std::string(name.substr(0, kLongestVrpnName))});
   }
 }
 
@@ -303,7 +303,7 @@ std::vector<std::uint8_t> vrpnForceDescription() {
 std::vector<std::uint8_t> vrpnForceField(const VrpnForceField& field) {
   std::vector<std::uint8_t> payload, bytes;
   const auto put = [&payload](double value) {
-    append(payload, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+    appendVrpn(payload, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
   };
   for (int i = 0; i < 3; ++i) put(field.origin_m[i]);
   for (int i = 0; i < 3; ++i) put(field.force_n[i]);

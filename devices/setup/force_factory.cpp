@@ -31,7 +31,7 @@ Device openVrpn(const ForceSetup& setup, const ForceLimits&, const RoomAxes&, co
 
 // Period of the loop, period of the spring, damping of the device, least rate, step of the encoder. A VRPN
 // server holds the spring in a loop of its own, at 1 kHz.
-constexpr std::array kRows{
+constexpr std::array kForceRows{
     ForceRow{ForceKind::simulated,
              "simulated",
              false,
@@ -43,15 +43,16 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const ForceRow> forceRows() { return kRows; }
+std::span<const ForceRow> forceRows() { return kForceRows; }
 
 const ForceRow& rowOf(ForceKind kind) {
-  return *std::find_if(kRows.begin(), kRows.end(), [&](const ForceRow& row) { return row.kind == kind; });
+  return *std::find_if(kForceRows.begin(), kForceRows.end(),
+                       [&](const ForceRow& row) { return row.kind == kind; });
 }
 
 std::vector<std::string_view> forceNames() {
   std::vector<std::string_view> names;
-  for (const ForceRow& row : kRows) names.push_back(row.name);
+  for (const ForceRow& row : kForceRows) names.push_back(row.name);
   return names;
 }
 

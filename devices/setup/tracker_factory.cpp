@@ -83,7 +83,7 @@ Transport makeSpaceMouse(const TrackerSetup& setup, const RoomAxes&) {
 
 using Kind = TrackerKind;
 using Source = SourceUse;
-constexpr std::array kRows{
+constexpr std::array kTrackerRows{
     TrackerRow{Kind::simulated, "simulated", true, Source::none, "person", nullptr},
     TrackerRow{Kind::recorded, "recorded", true, Source::trace, "", nullptr},
     TrackerRow{Kind::vrpn, "vrpn", true, Source::address, "", makeVrpn},
@@ -116,18 +116,19 @@ bool saysNothingAtRest(const TrackerSetup& setup) {
 
 bool isDevice(TrackerKind kind) { return kind != TrackerKind::simulated && kind != TrackerKind::recorded; }
 
-std::span<const TrackerRow> trackerRows() { return kRows; }
+std::span<const TrackerRow> trackerRows() { return kTrackerRows; }
 
 std::vector<std::string_view> trackerNamesInRigs() {
   std::vector<std::string_view> names;
-  for (const TrackerRow& row : kRows) {
+  for (const TrackerRow& row : kTrackerRows) {
     if (row.isInRigs) names.push_back(row.name);
   }
   return names;
 }
 
 const TrackerRow& rowOf(TrackerKind kind) {
-  return *std::find_if(kRows.begin(), kRows.end(), [&](const TrackerRow& row) { return row.kind == kind; });
+  return *std::find_if(kTrackerRows.begin(), kTrackerRows.end(),
+                       [&](const TrackerRow& row) { return row.kind == kind; });
 }
 
 std::string_view toString(TrackerKind kind) { return rowOf(kind).name; }

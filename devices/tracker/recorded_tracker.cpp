@@ -7,8 +7,8 @@
 namespace carom {
 namespace {
 
-constexpr double kUsualSpacing_s = 1.0 / 60.0;  // where a single sample tells none
-constexpr double kLeastSpacing_s = 1e-3;        // no tracker is faster; a trace may be
+constexpr double kUsualSpacing_s = 1.0 / 60.0;   // where a single sample tells none
+constexpr double kLeastSpacingOfTrace_s = 1e-3;  // no tracker is faster; a trace may be
 
 double medianSpacing_s(const std::vector<TrackerSample>& samples) {
   std::vector<double> spacings_s;
@@ -18,7 +18,7 @@ double medianSpacing_s(const std::vector<TrackerSample>& samples) {
   if (spacings_s.empty()) return kUsualSpacing_s;
   const auto middle = spacings_s.begin() + static_cast<std::ptrdiff_t>(spacings_s.size() / 2);
   std::nth_element(spacings_s.begin(), middle, spacings_s.end());
-  return std::max(*middle, kLeastSpacing_s);
+  return std::max(*middle, kLeastSpacingOfTrace_s);
 }
 
 }  // namespace

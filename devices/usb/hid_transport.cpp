@@ -13,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr auto kLookAgain = 500ms;
+constexpr auto kLookForHid = 500ms;
 constexpr auto kTick = 10ms;
 
 /// Until it is gone or a stop is asked for.
@@ -32,7 +32,7 @@ void serve(HidDevice& device, const std::stop_token& stop, DeviceSink& sink, Hid
 }  // namespace
 
 void listenToHid(const std::stop_token& stop, DeviceSink& sink, HidListener& listener) {
-  retry(stop, sink, kLookAgain, [&] {
+  retry(stop, sink, kLookForHid, [&] {
     const std::vector<HidEntry> entries = listHid();
     const auto found = std::find_if(entries.begin(), entries.end(),
                                     [&](const HidEntry& entry) { return listener.wants(entry); });

@@ -21,10 +21,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr std::size_t kPending = 8;  // transfers that wait for the device at any moment
-constexpr int kMostErrors = 8;       // failed transfers in a row until the connection is given up
-constexpr auto kSilence = 2s;        // until the device is set up again
-constexpr auto kLookAgain = 500ms;
+constexpr std::size_t kPending = 8;    // transfers that wait for the device at any moment
+constexpr int kMostErrors = 8;         // failed transfers in a row until the connection is given up
+constexpr auto kPolhemusSilence = 2s;  // until the device is set up again
+constexpr auto kLookForPolhemus = 500ms;
 constexpr auto kBetweenCommands = 20ms;
 constexpr unsigned kTransfer_ms = 100;
 constexpr auto kLongestDrain = 500ms;  // a device that will not be quiet is set up all the same
@@ -56,7 +56,7 @@ class Stream {
     for (Slot& slot : slots_) submit(slot);
     while (!stop.stop_requested() && ended_.empty()) {
       handleEvents();
-      if (Clock::now() - lastCame_ > kSilence)
+      if (Clock::now() - lastCame_ > kPolhemusSilence)
         ended_ = "it has sent nothing for two seconds (is a sensor plugged into it?)";
     }
     const std::string why = ended_;
@@ -287,7 +287,7 @@ Transport polhemusTransport(const UsbAddress& address) {
   }
   return [address, model](const std::stop_token& stop, DeviceSink& sink) {
     Polhemus polhemus(address, *model, stop, sink);
-    retry(stop, sink, kLookAgain, [&] { polhemus.run(); });
+    retry(stop, sink, kLookForPolhemus, [&] { polhemus.run(); });
   };
 }
 

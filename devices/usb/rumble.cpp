@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr std::uint16_t kSony = 0x054c;
-constexpr auto kLookAgain = 1s;
+constexpr auto kLookForGamepad = 1s;
 constexpr auto kSayAgain = 1s;         // pads stop by themselves when nothing more is said for some seconds
 constexpr std::uint8_t kSteps = 0xF8;  // what a hand tells apart; fewer reports
 
@@ -99,7 +99,7 @@ void Rumble::Hand::run(const std::stop_token& stop) {
     if (now < knocksUntil) until = knocksUntil;
     seen = wishes;
     lock.unlock();  // a wish never waits for the device
-    if (!pad && wish > 0 && (!looked || now - *looked >= kLookAgain)) {
+    if (!pad && wish > 0 && (!looked || now - *looked >= kLookForGamepad)) {
       pad = findPad();
       looked = now;
     }

@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // Devices send every 8 or 16 ms while the cap is off centre, and nothing at all while it is not.
-constexpr auto kSilence = 50ms;
+constexpr auto kSpacemouseSilence = 50ms;
 
 // Of Logitech, which sold them first; ids from spacenavd's list. (The models before 2004, c603 and c606, have
 // other axes and are not among them.)
@@ -56,7 +56,7 @@ class SpaceMouse : public HidListener {
   }
 
   void tick(HidDevice&, TimePoint now, DeviceSink& sink) override {
-    if (now - lastCame_ <= kSilence) return;
+    if (now - lastCame_ <= kSpacemouseSilence) return;
     decoder_.centre(readings_);
     deliver(now, sink);
   }

@@ -14,7 +14,8 @@
 namespace carom {
 
 inline constexpr double kFarthestPose_m = 1000.0;  // no tracker sees farther
-inline constexpr double kQuaternionMiss = 0.02;    // from length 1; floats and rounded decimals miss by less
+inline constexpr double kMetresPerMillimetre = 1e-3;
+inline constexpr double kQuaternionMiss = 0.02;  // from length 1; floats and rounded decimals miss by less
 
 /// Returns the pose with that position and orientation, normalised; none if a number is not finite, the
 /// position is farther than 1 km, or the quaternion is no rotation.

@@ -15,6 +15,7 @@
 #include <limits>
 #include <vector>
 #include "engine/base/large_pages.h"
+#include "engine/base/never.h"
 #include "engine/base/prefetch.h"
 
 namespace carom {
@@ -75,7 +76,6 @@ class DueQueue {
   }
 
  private:
-  static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr double kLatest = std::numeric_limits<double>::max();
   static constexpr int kNone = -1;
   static constexpr int kFew = 256;                     // items, all in the heap

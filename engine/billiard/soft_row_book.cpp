@@ -10,7 +10,7 @@ namespace {
 
 // Rows that no frame takes, as where a game is only computed, or a long one is resumed, are dropped beyond
 // this.
-constexpr std::size_t kMostNodes = std::size_t{1} << 22U;
+constexpr std::size_t kMostNodesWaiting = std::size_t{1} << 22U;
 
 /// Returns where the points of a rigid puck are drawn that become nodes. Those of its upper and lower rim,
 /// which are drawn, hear of a contact at the same time.
@@ -61,9 +61,9 @@ void SoftRowBook::endSlice(const SoftPlay& play) {
 }
 
 void SoftRowBook::bound() {
-  if (rows_.nodes.size() <= kMostNodes) return;
+  if (rows_.nodes.size() <= kMostNodesWaiting) return;
   std::size_t rows = 0, nodes = 0;
-  while (rows_.nodes.size() - nodes > kMostNodes / 2) nodes += rows_.rows[rows++].nodes;
+  while (rows_.nodes.size() - nodes > kMostNodesWaiting / 2) nodes += rows_.rows[rows++].nodes;
   rows_.rows.erase(rows_.rows.begin(), rows_.rows.begin() + static_cast<std::ptrdiff_t>(rows));
   rows_.nodes.erase(rows_.nodes.begin(), rows_.nodes.begin() + static_cast<std::ptrdiff_t>(nodes));
 }

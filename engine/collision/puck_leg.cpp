@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/never.h"
 #include "engine/base/portable_math.h"
 
 namespace carom {
 
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The root of an increasing f on [low, high], f(low) <= 0: Newton's step where it stays inside the bracket,
 // halving where it does not. `f` gives value and slope.

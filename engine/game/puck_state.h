@@ -4,16 +4,14 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "engine/base/never.h"
 #include "engine/collision/puck_leg.h"
 #include "engine/collision/turning.h"
 #include "engine/polygons/persistent_contact.h"
 
 namespace carom {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// In the order of equal times.
 enum class PredictedKind : unsigned char { none, turn, stroke, cushion, pair };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSlow = 1e-6;      // of light speed, or of the hardest impact: slower than this is together
 constexpr double kGrazing = 1e-3;   // closing over relative speed: they pass, a millionth of R1 + R2 deep
-constexpr double kStill = 1e-6;     // of that again: rounding
+constexpr double kRounded = 1e-6;   // of that again: rounding
 constexpr int kJamsToDouble = 4;    // turns in a jam until the bound of slowness doubles
 constexpr int kJamsToRest = 64;     // without peace, after which a body moves on with what it touches
 constexpr double kMostLeft = 1e-3;  // of the hardest impact: what closes faster is kicked
@@ -28,7 +28,7 @@ void JamResolver::settle(const PuckPair& who, const PairContact& contact,
   for (const int i : who) hardest = std::max(hardest, game_.pucks[i].hardestImpact);
   const double impact = std::min(1.0, hardest), slow = slowIn(who, hardest);
   const double relative = std::sqrt(relative2(turn[0].u, turn[1].u));
-  if (kick->closing < slow && (relative <= kStill * slow || kick->closing < kGrazing * relative)) return;
+  if (kick->closing < slow && (relative <= kRounded * slow || kick->closing < kGrazing * relative)) return;
   for (const int i : who) game_.pucks[i].hardestImpact = hardest;
   jam_.bodies.clear();
   for (int k = 0; k < 2; ++k) jam_.bodies.push_back(bodyOf(who[k], turn[k]));

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "engine/base/never.h"
 
 namespace carom {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kSweeps = 10000;
 constexpr int kSweepsWithCorners = 300;  // after which bodies that are wedged move on together
 

@@ -6,6 +6,7 @@
 // module turns a world line into the few numbers for each leg that the solve needs, in double.
 // Theory: app/doc/physics.md, Emission.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,7 @@ enum class ViewTime {
   boardNow,  ///< the event at the eye's board time, as if its light had come straight from there
   myNow,     ///< the event that is simultaneous with the observation in the head's frame
 };
+inline constexpr std::array<ViewTime, 3> kViewTimes{ViewTime::seen, ViewTime::boardNow, ViewTime::myNow};
 
 /// The legs of one body on which any of its points may have emitted the light that one eye receives.
 struct BodyView {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/never.h"
 #include "engine/polygons/rest_axes.h"
 
 namespace carom {
@@ -16,10 +16,9 @@ namespace {
 
 using Vec2 = glm::dvec2;
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kTouches = 1e-9;    // of the radii: so far apart they have come out of each other
-constexpr double kLeastStep = 1e-4;  // likewise: the least way between two looks
-constexpr double kFastest = 2.0;     // over c: no corner and side of two bodies come nearer faster
+constexpr double kTouches = 1e-9;   // of the radii: so far apart they have come out of each other
+constexpr double kLeastWay = 1e-4;  // likewise: the least way between two looks
+constexpr double kFastest = 2.0;    // over c: no corner and side of two bodies come nearer faster
 constexpr int kMostLooks = 4096;
 
 /// The widest gap between two bodies along a side of either, below 0 if they overlap; and the largest cosine
@@ -109,7 +108,7 @@ bool passEachOther(const MovingShape& first, const MovingShape& second, const Pe
     if (overlapping && apart) elsewhere = gap.alongWidest < 0.0;
     overlapping = !apart;
     if (pair.haveLeft(t)) break;
-    t += std::max(std::abs(gap.width), kLeastStep * reach) / kFastest;
+    t += std::max(std::abs(gap.width), kLeastWay * reach) / kFastest;
   }
   return elsewhere;
 }

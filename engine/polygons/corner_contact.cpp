@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/never.h"
 #include "engine/polygons/board_passage.h"
 #include "engine/polygons/corner_search.h"
 
@@ -10,7 +11,6 @@ namespace carom {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kResumed = 1e-9;   // of the radii: what comes so soon after a contact is that contact
 constexpr double kSideways = 0.02;  // of light speed: bodies that approach slower along n leave sideways
 constexpr double kBeside = 0.7;     // nearer to the normal, by this cosine, no body leaves another sideways

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/never.h"
 #include "engine/base/root.h"
 #include "engine/polygons/corner_search.h"
 #include "engine/polygons/rest_axes.h"
@@ -15,10 +15,6 @@ namespace carom {
 namespace {
 
 using Vec2 = glm::dvec2;
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSimultaneous = 1e-9;  // of the radius
-constexpr double kLeastStep = 1e-6;     // of the radius
 
 Vec21 normalOf(const CushionPlane& cushion) {
   return cushion.axis == 0 ? Vec21{0.0, cushion.sign, 0.0} : Vec21{0.0, 0.0, cushion.sign};

@@ -46,6 +46,8 @@ constexpr double kSameNormal = 1e-6;
 constexpr double kLeastClosing = 1e-9;
 /// Of the radii: what touches for less grazes.
 constexpr double kLeastStep = 1e-6;
+/// Likewise: piercings as near to each other in time are one.
+constexpr double kSimultaneous = 1e-9;
 /// Likewise of what slides in another, or stays near it for long.
 constexpr double kSlideStep = 1e-3;
 /// A search ends after this number of steps, to be continued from there.

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/never.h"
 #include "engine/base/root.h"
 #include "engine/polygons/corner_search.h"
 #include "engine/polygons/rest_axes.h"
@@ -18,8 +18,6 @@ namespace carom {
 namespace {
 
 using Vec2 = glm::dvec2;
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// A place on a side that bends, from the disc's centre, and how it changes along the side.
 struct OnSide {

@@ -15,8 +15,6 @@ using Vec2 = glm::dvec2;
 
 constexpr double kTouching = 1e-12;  // of the radii
 
-double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// Whether the sides a b and c d cross, and by more than rounding.
 bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double least) {
   const auto beside = [](const Vec2& p, const Vec2& q, const Vec2& r) {

@@ -16,8 +16,6 @@ using Vec2 = glm::dvec2;
 
 constexpr double kOnSide = 1e-9;  // of the radius: nearer than this lies on a side
 
-double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 template <class... Parts>
 OutlineFault fault(std::size_t corner, const Parts&... parts) {
   constexpr int kDigits = 6;

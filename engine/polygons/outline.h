@@ -16,6 +16,9 @@ namespace carom {
 constexpr std::size_t kLeastCorners = 3;
 constexpr std::size_t kMostCorners = 256;
 
+/// Returns by how much b is to the left of a, seen from above: |a| |b| sin of the angle from a to b.
+inline double cross2(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
 /// The fault of the corners of an outline.
 struct OutlineFault {
   std::size_t corner = 0;  ///< the first corner, counted from 0, that is wrong

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/never.h"
 #include "engine/polygons/outline.h"
 
 namespace carom {
@@ -14,10 +15,7 @@ namespace {
 
 using Vec2 = glm::dvec2;
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kStraight = 1e-8;  // of the extent: what lies as near to a straight side is on it
-
-double cross2(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 double distanceToSegment(const Vec2& x, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;

@@ -1,10 +1,10 @@
 // Sides that lie on each other as bodies touch.
 
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/never.h"
 #include "engine/polygons/corner_search.h"
 #include "engine/polygons/rest_axes.h"
 
@@ -13,9 +13,6 @@ namespace carom {
 namespace {
 
 using Vec2 = glm::dvec2;
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSimultaneous = 1e-9;  // of the radii: piercings as near to each other in time are one
 
 /// Whether two contacts at one time are on sides that lie on each other.
 bool sameSide(const FoundContact& one, const FoundContact& other, const Vec21& U) {

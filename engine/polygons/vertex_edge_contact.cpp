@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/never.h"
 #include "engine/base/root.h"
 #include "engine/polygons/corner_search.h"
 #include "engine/polygons/rest_axes.h"
@@ -17,7 +17,6 @@ namespace {
 
 using Vec2 = glm::dvec2;
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kDeeper = 1e-2;  // of the radii: so much deeper goes a corner that slides in the other body
 constexpr double kFront = 0.1;    // the cosine of the angle between sides that look the same way
 // Steps of the search for the parting: the first one, of the radii, over the speeds; how they grow; and how

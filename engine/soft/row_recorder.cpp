@@ -12,8 +12,8 @@ namespace carom {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kFastest = 0.9995;  // a node that came faster than this was not moved by the simulation
-constexpr double kDoorShare = 0.7;   // a door allows a square of places: 1/√2, and rounding
+constexpr double kMoved = 0.9995;   // a node that came faster than this was not moved by the simulation
+constexpr double kDoorShare = 0.7;  // a door allows a square of places: 1/√2, and rounding
 
 std::int16_t rounded(double value, double unit) {
   const double most = std::numeric_limits<std::int16_t>::max();
@@ -42,7 +42,7 @@ bool RowRecorder::follow(double time, std::span<const glm::dvec2> places, const 
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec2 way = places[i] - before_.places[i];
     const double length = glm::length(way);
-    const bool isThere = length <= kFastest * step || length <= kSame;
+    const bool isThere = length <= kMoved * step || length <= kSame;
     now_.places[i] = isThere ? places[i] : before_.places[i] + way * (kCatchUp * step / length);
     now_.velocities[i] = body.velocity(i);
     areThere = areThere && isThere;

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/never.h"
+
 namespace carom {
-namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 bool SoftPush::reachesBefore(const SoftPlayer& player, double time, double slice, double end) const {
   const Vec21& hand = stroke_.hand;

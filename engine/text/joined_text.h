@@ -19,9 +19,9 @@ inline std::string digitsOf(double number, int digits) {
 /// Returns the parts, words and numbers, as one text; numbers that are not whole have at most `digits`
 /// digits.
 template <class... Parts>
-std::string joinedText(int digits, const Parts&... parts) {
+std::string joinedText([[maybe_unused]] int digits, const Parts&... parts) {
   std::string text;
-  const auto add = [&](const auto& part) {
+  [[maybe_unused]] const auto add = [&](const auto& part) {
     using Part = std::remove_cvref_t<decltype(part)>;
     if constexpr (std::floating_point<Part>) {
       text += digitsOf(part, digits);

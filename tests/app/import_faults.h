@@ -1,6 +1,7 @@
 #pragma once
 // Rooms of other programs that are wrong in one place, and what is to be said of it.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -21,6 +22,8 @@ struct ImportFault {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const ImportFault& fault) { return out << fault.what; }
+
+inline std::string placed(const FilePlace& at) { return fmt::format("{}:{}", at.line, at.column); }
 
 /// Expects that `room`, read from the text of `fault`, has the one finding that `fault` names.
 inline void expectFound(const ImportFault& fault, const Room& room) {

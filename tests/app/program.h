@@ -15,6 +15,8 @@
 
 namespace carom::test {
 
+inline const std::string kThreePucks = CAROM_CONFIG_DIR "/scenarios/three-pucks.toml";
+
 struct ProgramResult {
   int status = -1;
   std::string out;

@@ -6,25 +6,18 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <glm/gtc/quaternion.hpp>
 
 #include "devices/filter/head_filter.h"
 #include "devices/gap_score.h"
 #include "devices/lasting_noise.h"
 #include "devices/recorded_head.h"
 #include "devices/simulated_heads.h"
+#include "devices/unturned_head.h"
 #include "devices/velocity_peers.h"
 
 namespace {
 
 using namespace carom;
-
-VelocityFilter ours() {
-  return [filter = HeadFilter()](double time_s, const glm::dvec3& position_m) mutable {
-    filter.add(time_s, {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)});
-    return filter.at(time_s).celerity_m_s;
-  };
-}
 
 VelocityFilter rawDifference() {
   return [last_s = 0.0, last_m = glm::dvec3(0.0), first = true](double time_s,
@@ -59,7 +52,7 @@ void printNoises() {
   std::printf("  %-22s %6s %6s %8s %8s %8s %8s %8s %8s %6s\n", "", "Hz", "mm", "from", "4 Singer", "Singer",
               "line", "1 euro", "carom", "ratio");
   for (const NoisyHead& head : noisyHeads()) {
-    const NoisyScore score = noisyScoreOf(head, ours, 3);
+    const NoisyScore score = noisyScoreOf(head, test::headFilter, 3);
     std::printf("  %-22s %6d %6.1f %8s", head.recording, head.rate_hz, 1e3 * head.noise_m,
                 head.isRested ? "rest" : "motion");
     for (const double peer_m_s : score.peers_m_s) std::printf(" %8.2f", 1e3 * peer_m_s);
@@ -85,7 +78,7 @@ void printGaps() {
   for (const SimulatedHead& head : heads) {
     std::printf("  %-22s", head.name.c_str());
     for (std::size_t i = 0; i < kGaps_s.size(); ++i) {
-      const GapScore own = gapScoreOf(head.path, kGaps_s[i], ours, kSeeds);
+      const GapScore own = gapScoreOf(head.path, kGaps_s[i], test::headFilter, kSeeds);
       const GapScore peer = gapScoreOf(
           head.path, kGaps_s[i], [] { return fourSingers(kTrackerNoise_m); }, kSeeds);
       ratios[i].push_back(own.error_m_s / peer.error_m_s);
@@ -115,7 +108,7 @@ void printLastingNoise() {
         }
         return 1e3 * mean_m_s;
       };
-      std::printf("   %3.0f ms %6.2f %6.2f", 1e3 * tau_s, rest(ours),
+      std::printf("   %3.0f ms %6.2f %6.2f", 1e3 * tau_s, rest(test::headFilter),
                   rest([] { return fourSingers(0.001); }));
     }
     std::printf("\n");
@@ -133,7 +126,7 @@ int main() {
     std::function<FilterMaker(int rate_hz)> make;
   };
   const std::array<Entry, 5> entries = {{
-      {"carom", [](int) { return ours; }},
+      {"carom", [](int) { return test::headFilter; }},
       {"4 Singer models", [](int) { return [] { return fourSingers(kTrackerNoise_m); }; }},
       {"Singer Kalman", [](int) { return [] { return oneSinger(kTrackerNoise_m); }; }},
       {"1 euro, tuned", [](int rate_hz) { return [rate_hz] { return tunedOneEuro(rate_hz); }; }},

@@ -44,6 +44,9 @@ inline Wall wallTowards(const glm::dvec3& eye_m, const glm::dvec3& direction, co
 /// left, right, bottom, top in pixels; left > right if there is nothing.
 using Box = std::array<double, 4>;
 
+/// A pixel is lit if its middle is covered: half a pixel on either side, and rounding.
+inline constexpr double kLitBox_px = 1.01;
+
 inline void include(Box& box, double x, double y) {
   box = {std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y)};
 }

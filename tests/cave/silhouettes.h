@@ -9,12 +9,12 @@
 
 #include "cave/reference_views.h"
 #include "cave/scene/puck_model.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 #include "reference/ray_reference.h"
 
 namespace carom::test {
 
-inline constexpr double kC_m_s = 1.42;
 inline constexpr int kWall_px = 1920;
 inline constexpr double kWall_m = 3.0, kWallDistance_m = 1.5;  // a wall of a CAVE from its middle
 inline constexpr double kSilhouette_px = 1.0;

@@ -102,6 +102,9 @@ class PeerSocket {
   std::uint16_t port_ = 0;
 };
 
+/// A datagram port that was free a moment ago.
+inline std::uint16_t freePort() { return PeerSocket(SOCK_DGRAM).port(); }
+
 /// A tracker and what it has delivered so far.
 struct Watched {
   explicit Watched(Transport transport, double silence_s = 0.25)

@@ -10,6 +10,8 @@
 
 namespace carom::test {
 
+inline constexpr double kBalance = 1e-10;  // of the total energy
+
 /// What moves, plus what left, less what strokes gave, is what moved at the start; `tolerance` is a share of
 /// the energy at the start.
 inline void expectBalanced(const Billiard& billiard, const Ledger& start, double tolerance) {

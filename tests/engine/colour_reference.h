@@ -11,6 +11,10 @@
 
 namespace carom::test {
 
+// The half-width Gaussians are that far from the tabulated observer (a just noticeable step is about 0.003).
+inline constexpr double kObserverTolerance = 0.005;  // in x, y
+inline constexpr double kOneScreenStep = 1.0;
+
 /// ∫ s(λ) L(λ) dλ in linear sRGB, of radiance L.
 inline Vec3 seenOf(const std::function<double(double)>& radiance) {
   Vec3 sum(0.0);

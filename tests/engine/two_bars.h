@@ -27,13 +27,13 @@
 namespace carom::test {
 
 /// How two bars of 12 cm meet: with equal and opposite speeds.
-struct Meeting {
+struct BarMeeting {
   double thick_m, beta, restitution;
   bool atContact;  // the convention
   double mostTilt_rad, mostBeside_m;
 };
 
-inline BilliardSetup twoBars(const Meeting& meeting, unsigned seed) {
+inline BilliardSetup twoBars(const BarMeeting& meeting, unsigned seed) {
   std::mt19937_64 random(seed);
   const auto uniform = [&](double most) {
     return std::uniform_real_distribution<double>(-most, most)(random);

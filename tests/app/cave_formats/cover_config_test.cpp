@@ -12,15 +12,15 @@
 namespace carom {
 namespace {
 
+namespace cover = test::cover;
 using test::allFindings;
 using test::expectCorners;
 using test::refusalOf;
 using test::roomOf;
 using test::with;
-using test::cover::kCave;
 
 TEST(CoverFile, ComputersSeeWhatConcernsThemAndLaterSectionsWin) {
-  const Room room = roomOf("room.xml", kCave);
+  const Room room = roomOf("room.xml", cover::kCave);
   EXPECT_FALSE(room.hasErrors()) << allFindings(room);
   ASSERT_EQ(room.walls.size(), 4u) << allFindings(room);
   EXPECT_EQ(room.unit, "mm");

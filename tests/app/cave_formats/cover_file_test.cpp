@@ -11,6 +11,7 @@
 namespace carom {
 namespace {
 
+namespace cover = test::cover;
 using test::allFindings;
 using test::expectCorners;
 using test::findingWith;
@@ -18,10 +19,9 @@ using test::refusalOf;
 using test::roomOf;
 using test::wallOf;
 using test::with;
-using test::cover::kCave;
 
 TEST(CoverFile, RanksGoAsSyncModeHasThem) {
-  const Room room = roomOf("room.xml", kCave);
+  const Room room = roomOf("room.xml", cover::kCave);
   ASSERT_EQ(room.nodes.size(), 4u);
   EXPECT_EQ(room.nodes[0].host, "s1");
   EXPECT_EQ(room.nodes[3].host, "f2");
@@ -31,7 +31,7 @@ TEST(CoverFile, RanksGoAsSyncModeHasThem) {
 }
 
 TEST(CoverFile, NamesByLineWhatItLeavesOut) {
-  const Room room = roomOf("room.xml", kCave);
+  const Room room = roomOf("room.xml", cover::kCave);
   EXPECT_EQ(findingWith(room, "'SPARE' of computer 's1'").at.line, 9) << allFindings(room);
   EXPECT_EQ(findingWith(room, "'CONTROL' of the master 'boss'").at.line, 11);
   EXPECT_EQ(findingWith(room, "computer 'guest'").at.line, 19);
@@ -106,13 +106,14 @@ TEST(CoverFile, AFileThatIncludesItselfIsRefused) {
 }
 
 TEST(CoverFile, FaultsAreNamedAtTheirPlaces) {
-  EXPECT_NE(refusalOf("room.xml", with(kCave, "originX=\"-2000\"", "originX=\"-20/00\"")).find("8:"),
+  EXPECT_NE(refusalOf("room.xml", with(cover::kCave, "originX=\"-2000\"", "originX=\"-20/00\"")).find("8:"),
             std::string::npos);
-  EXPECT_NE(refusalOf("room.xml", with(kCave, "name=\"1\" comment=\"SPARE\"", "name=\"0\" comment=\"SPARE\""))
+  EXPECT_NE(refusalOf("room.xml",
+                      with(cover::kCave, "name=\"1\" comment=\"SPARE\"", "name=\"0\" comment=\"SPARE\""))
                 .find("9:18: the name '0' is taken in line 8"),
             std::string::npos);
   EXPECT_NE(refusalOf("room.xml", "<COCONFIG/>").find("there is no wall here"), std::string::npos);
-  EXPECT_NE(refusalOf("room.xml", with(kCave, "\"F1\"", "\"G1\"")).find("bodyIndex is 'G1'"),
+  EXPECT_NE(refusalOf("room.xml", with(cover::kCave, "\"F1\"", "\"G1\"")).find("bodyIndex is 'G1'"),
             std::string::npos);
 }
 

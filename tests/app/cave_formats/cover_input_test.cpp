@@ -12,14 +12,14 @@
 namespace carom {
 namespace {
 
+namespace cover = test::cover;
 using test::allFindings;
 using test::findingWith;
 using test::roomOf;
 using test::with;
-using test::cover::kCave;
 
 TEST(CoverFile, TrackersBodiesAndPersonsAreTakenOver) {
-  const Room room = roomOf("room.xml", kCave);
+  const Room room = roomOf("room.xml", cover::kCave);
   ASSERT_EQ(room.trackers.size(), 1u);
   EXPECT_EQ(room.trackers[0].source, "udp://0.0.0.0:5001");
   const Pose& tracker = room.trackers[0].roomFromTracker;
@@ -36,7 +36,7 @@ TEST(CoverFile, TrackersBodiesAndPersonsAreTakenOver) {
 
 TEST(CoverFile, SharedMemoryAndNatNetAreTrackers) {
   const auto withDriver = [](const std::string& attributes) {
-    return roomOf("room.xml", with(kCave, "driver=\"dtrack\" port=\"5001\"", attributes));
+    return roomOf("room.xml", with(cover::kCave, "driver=\"dtrack\" port=\"5001\"", attributes));
   };
   const Room room = withDriver("driver=\"CAVELIB\" SHMID=\"7000\" unit=\"cm\"");
   ASSERT_EQ(room.trackers.size(), 1u) << allFindings(room);

@@ -11,14 +11,14 @@
 namespace carom {
 namespace {
 
+namespace cover = test::cover;
 using test::allFindings;
 using test::findingWith;
 using test::roomOf;
 using test::wallOf;
-using test::cover::kCave;
 
 TEST(CoverFile, ViewportsCountFromTheLowerLeftOfTheirWindow) {
-  const Room room = roomOf("room.xml", kCave);
+  const Room room = roomOf("room.xml", cover::kCave);
   const Wall& wall = wallOf(room, "LEFT-left").wall;
   EXPECT_EQ(wall.pixels, glm::ivec2(1500, 1500));
   EXPECT_EQ(wall.window.position_px, glm::ivec2(100, 20));

@@ -11,6 +11,7 @@
 namespace carom {
 namespace {
 
+namespace jconf = test::jconf;
 using test::allFindings;
 using test::expectCorners;
 using test::findingWith;
@@ -19,10 +20,9 @@ using test::roomOf;
 using test::wallOf;
 using test::with;
 using test::jconf::corner;
-using test::jconf::kCave;
 
 TEST(JconfFile, SurfacesAreWallsInTheirWindows) {
-  const Room room = roomOf("room.jconf", kCave);
+  const Room room = roomOf("room.jconf", jconf::kCave);
   EXPECT_FALSE(room.hasErrors()) << allFindings(room);
   ASSERT_EQ(room.walls.size(), 1u) << allFindings(room);
   expectCorners(room, "left", {-2, 0, 2}, {-2, 0, -2}, {-2, 3, 2});
@@ -37,7 +37,7 @@ TEST(JconfFile, SurfacesAreWallsInTheirWindows) {
 
 /// The cave as a node of a cluster.
 std::string clustered(const std::string& more = "") {
-  std::string text = kCave;
+  std::string text = jconf::kCave;
   const std::string system =
       "<display_system name='p'><pipes>mammoth:0.0</pipes><pipes>mammoth:0.1</pipes></display_system>\n";
   text = with(text, system, "");
@@ -62,7 +62,7 @@ TEST(JconfFile, NodesOfAClusterHaveTheirOwnPipesAndWindows) {
 
 TEST(JconfFile, SeveralDisplaySystemsAreChosenByName) {
   const std::string two =
-      with(kCave, "<display_system name='p'>",
+      with(jconf::kCave, "<display_system name='p'>",
            "<display_system name='o'><pipes>:0.0</pipes><pipes>ox:0.5</pipes></display_system>"
            "<display_system name='p'>");
   EXPECT_NE(refusalOf("room.jconf", two).find("--room with one of 'o', 'p'"), std::string::npos);
@@ -71,7 +71,7 @@ TEST(JconfFile, SeveralDisplaySystemsAreChosenByName) {
 }
 
 TEST(JconfFile, TheFirstVersionOfViewportsIsReadToo) {
-  std::string text = kCave;
+  std::string text = jconf::kCave;
   const auto old = [](const std::string& x, const std::string& y, const std::string& z) {
     return "<corners><vec3><x>" + x + "</x><y>" + y + "</y><z>" + z + "</z></vec3></corners>";
   };
@@ -87,21 +87,21 @@ TEST(JconfFile, TheFirstVersionOfViewportsIsReadToo) {
 }
 
 TEST(JconfFile, TrackedSurfacesAreLeftOut) {
-  const Room room =
-      roomOf("room.jconf", with(kCave, "<view>Stereo</view>", "<view>Stereo</view><tracked>true</tracked>"));
+  const Room room = roomOf(
+      "room.jconf", with(jconf::kCave, "<view>Stereo</view>", "<view>Stereo</view><tracked>true</tracked>"));
   EXPECT_EQ(findingWith(room, "viewport 'left' is left out: its surface is tracked").at.line, 11)
       << allFindings(room);
 }
 
 TEST(JconfFile, NamesWhatItLeavesOut) {
-  const Room room = roomOf("room.jconf", kCave);
+  const Room room = roomOf("room.jconf", jconf::kCave);
   EXPECT_EQ(findingWith(room, "device 'Flock' of kind 'flock'").at.line, 9) << allFindings(room);
   EXPECT_EQ(findingWith(room, "the simulator in window 'Sim'").at.line, 14);
   EXPECT_EQ(findingWith(room, "window 'Off' is left out").at.line, 15);
 }
 
 TEST(JconfFile, WithoutAnActiveWindowAllAreTaken) {
-  std::string off = kCave;
+  std::string off = jconf::kCave;
   for (std::size_t at = 0; (at = off.find("<active>true")) != std::string::npos;)
     off.replace(at, 12, "<active>false");
   const Room room = roomOf("room.jconf", off);
@@ -112,14 +112,15 @@ TEST(JconfFile, WithoutAnActiveWindowAllAreTaken) {
 
 TEST(JconfFile, FaultsAreNamedAtTheirPlaces) {
   const std::string fourth =
-      refusalOf("room.jconf", with(kCave, "<upper_right_corner>-2.0</upper_right_corner>",
+      refusalOf("room.jconf", with(jconf::kCave, "<upper_right_corner>-2.0</upper_right_corner>",
                                    "<upper_right_corner>-2.1</upper_right_corner>"));
   EXPECT_NE(fourth.find("12:"), std::string::npos) << fourth;
   EXPECT_NE(fourth.find("upper_right_corner of wall 'left' is 100.0 mm from"), std::string::npos) << fourth;
-  EXPECT_NE(refusalOf("room.jconf", with(kCave, "name='Off'", "name='L'")).find("'L' is taken in line 10"),
-            std::string::npos);
+  EXPECT_NE(
+      refusalOf("room.jconf", with(jconf::kCave, "name='Off'", "name='L'")).find("'L' is taken in line 10"),
+      std::string::npos);
   const std::string missing =
-      refusalOf("room.jconf", with(kCave, "<lower_left_corner>-2.0</lower_left_corner>", ""));
+      refusalOf("room.jconf", with(jconf::kCave, "<lower_left_corner>-2.0</lower_left_corner>", ""));
   EXPECT_NE(missing.find("lower_left_corner has 2 values, expected 3 numbers"), std::string::npos) << missing;
   EXPECT_NE(
       refusalOf("room.jconf", "<configuration><elements/></configuration>").find("there is no wall here"),

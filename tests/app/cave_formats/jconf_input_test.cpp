@@ -12,13 +12,13 @@
 namespace carom {
 namespace {
 
+namespace jconf = test::jconf;
 using test::allFindings;
 using test::roomOf;
 using test::with;
-using test::jconf::kCave;
 
 TEST(JconfFile, HeadsFollowAliasProxyAndDevice) {
-  const Room room = roomOf("room.jconf", kCave);
+  const Room room = roomOf("room.jconf", jconf::kCave);
   ASSERT_EQ(room.trackers.size(), 1u);
   EXPECT_EQ(room.trackers[0].source, "Art@tcp://host");
   // A quarter turn about y takes x to −z; then a metre up.
@@ -29,8 +29,8 @@ TEST(JconfFile, HeadsFollowAliasProxyAndDevice) {
 }
 
 TEST(JconfFile, TrackdIsReadFromItsMemory) {
-  std::string text =
-      with(kCave, "<vrpn name='Art'><tracker_server>Art@host</tracker_server>", "<trackd_sensor name='Art'>");
+  std::string text = with(jconf::kCave, "<vrpn name='Art'><tracker_server>Art@host</tracker_server>",
+                          "<trackd_sensor name='Art'>");
   text = with(text, "</vrpn>",
               "</trackd_sensor><trackd_controller "
               "name='W'><shared_memory_key>99</shared_memory_key></trackd_controller>");
@@ -43,7 +43,7 @@ TEST(JconfFile, TrackdIsReadFromItsMemory) {
 }
 
 TEST(JconfInput, UsersKeepTheirOrderAndOneIsThereAtLeast) {
-  Room room = roomOf("room.jconf", kCave);
+  Room room = roomOf("room.jconf", jconf::kCave);
   room.people.clear();
   room.viewers.clear();
   const Part two =

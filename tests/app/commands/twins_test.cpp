@@ -17,8 +17,8 @@ namespace {
 
 using test::TemporaryFolder;
 
-constexpr double kC_m_s = 1.42, kThrust_m_s2 = 0.9, kOff_s = 2.0;  // as in twins.toml
-constexpr double kExact = 1e-9;                                    // of seconds and metres of order ten
+constexpr double kLight_m_s = 1.42, kThrust_m_s2 = 0.9, kOff_s = 2.0;  // as in twins.toml
+constexpr double kExact = 1e-9;                                        // of seconds and metres of order ten
 
 std::string rigText(double hz) {
   std::ostringstream text;
@@ -52,10 +52,11 @@ struct Expected {
   double t_s, away_m;
 };
 Expected expectedAt(double tau_s) {
-  const double k = kThrust_m_s2 / kC_m_s;
-  const double quarter_s = std::sinh(k * kOff_s) / k, quarter_m = kC_m_s / k * (std::cosh(k * kOff_s) - 1.0);
+  const double k = kThrust_m_s2 / kLight_m_s;
+  const double quarter_s = std::sinh(k * kOff_s) / k,
+               quarter_m = kLight_m_s / k * (std::cosh(k * kOff_s) - 1.0);
   const auto since = [&](double s) {
-    return Expected{std::sinh(k * s) / k, kC_m_s / k * (std::cosh(k * s) - 1.0)};
+    return Expected{std::sinh(k * s) / k, kLight_m_s / k * (std::cosh(k * s) - 1.0)};
   };
   if (tau_s <= kOff_s) return since(tau_s);
   if (tau_s <= 3.0 * kOff_s) {  // around the turning point
@@ -103,7 +104,7 @@ TEST_P(Twins, WhoComesBackIsYounger) {
   EXPECT_EQ(state.record.drive.mode, DriveMode::free);
   EXPECT_LT(glm::length(state.record.boardFromRoom.u()), 1e-12);
   const double home_s = state.record.viewers[0].observer.middle.observation.t_s;
-  const double k = kThrust_m_s2 / kC_m_s;
+  const double k = kThrust_m_s2 / kLight_m_s;
   EXPECT_NEAR(home_s - state.record.viewers[0].observer.properTime_s,
               4.0 * (std::sinh(k * kOff_s) / k - kOff_s), kExact);
   EXPECT_GT(home_s - state.record.viewers[0].observer.properTime_s, 2.3);

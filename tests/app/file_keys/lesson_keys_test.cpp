@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include "app/repeated_text.h"
 #include "app/scenario/scenario.h"
 #include "app/temporary_folder.h"
 #include "app/toml/input_file.h"
@@ -17,17 +18,13 @@
 namespace carom {
 namespace {
 
-std::string times(std::size_t count, const std::string& text) {
-  std::string all;
-  for (std::size_t i = 0; i < count; ++i) all += text;
-  return all;
-}
+using test::repeated;
 
 /// Returns what is wrong with a lesson of this number of answers with these lines; empty if nothing is.
 std::string faultsOf(std::size_t answers, const std::string& question, const std::string& lines) {
   const test::TemporaryFolder folder;
   const std::string lesson = "light_speed_m_s = 1\n[lesson]\nquestion = '" + question + "'\nanswers = [" +
-                             times(answers, "'a', ") +
+                             repeated("'a', ", answers) +
                              "]\nright = 1\ntodo = 't'\nnotice = 'n'\nnumber = 'm'\nfrom_s = 0\nuntil_s = 1\n"
                              "moment_s = 1\n";
   try {
@@ -44,16 +41,16 @@ std::string faultsOf(std::size_t answers, const std::string& question, const std
 TEST(LessonKeys, LimitWhatALessonHas) {
   const std::string line = "[[lesson.line]]\nfrom_m = [0, 0, 0]\nto_m = [1, 0, 0]\n";
   const std::string observer = "[[lesson.observer]]\nname = 'o'\nbeta = [0, 0, 0]\n";
-  EXPECT_EQ(faultsOf(kMostAnswers, times(kLessonTextLetters, "q"),
-                     times(kMostLessonDrawings, line) + times(kMostAnswers - 1, observer)),
+  EXPECT_EQ(faultsOf(kMostAnswers, repeated("q", kLessonTextLetters),
+                     repeated(line, kMostLessonDrawings) + repeated(observer, kMostAnswers - 1)),
             "");
   EXPECT_NE(faultsOf(1, "q", "").find("a lesson has 1 answer here"), std::string::npos);
   EXPECT_NE(faultsOf(kMostAnswers + 1, "q", "").find("a lesson has 5 answers here"), std::string::npos);
-  EXPECT_NE(faultsOf(2, times(kLessonTextLetters + 1, "q"), "").find("question has 161 letters"),
+  EXPECT_NE(faultsOf(2, repeated("q", kLessonTextLetters + 1), "").find("question has 161 letters"),
             std::string::npos);
-  EXPECT_NE(faultsOf(2, "q", times(kMostLessonDrawings + 1, line)).find("expected 4 at most"),
+  EXPECT_NE(faultsOf(2, "q", repeated(line, kMostLessonDrawings + 1)).find("expected 4 at most"),
             std::string::npos);
-  EXPECT_NE(faultsOf(2, "q", times(kMostAnswers, observer)).find("expected 3 at most"), std::string::npos);
+  EXPECT_NE(faultsOf(2, "q", repeated(observer, kMostAnswers)).find("expected 3 at most"), std::string::npos);
 }
 
 // Editors complete the names of views and effects: all that the program knows, under those names.

@@ -11,11 +11,13 @@
 #include <string>
 
 #include "app/program.h"
+#include "app/repeated_text.h"
 
 namespace carom {
 namespace {
 
 using test::ProgramResult;
+using test::repeated;
 using test::TemporaryFolder;
 
 double processorOfChildren_s() {
@@ -43,12 +45,6 @@ ProgramResult checked(const TemporaryFolder& folder, const std::filesystem::path
 void expectSaid(const ProgramResult& result, int status, const std::string& words) {
   EXPECT_EQ(result.status, status) << result.err;
   EXPECT_NE(result.err.find(words), std::string::npos) << "instead of " << words << ": " << result.err;
-}
-
-std::string repeated(const std::string& text, int count) {
-  std::string all;
-  for (int i = 0; i < count; ++i) all += text;
-  return all;
 }
 
 const std::string kRig =

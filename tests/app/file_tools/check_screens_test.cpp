@@ -28,13 +28,13 @@ std::string wall(const std::string& name, const std::string& file) {
          (file.ends_with("obj") ? "mesh" : "grid") + "', file = '" + file + "' }\n";
 }
 
-const std::string kHead =
+const std::string kRigHead =
     "unit = 'm'\naxes = 'x-right y-up z-back'\n[head]\ntracker = 'cap'\n[[tracker]]\nname = 'cap'\nkind = "
     "'simulated'\n";
 
 /// Returns what is said of a rig with these walls; `status`: what the program returns.
 std::string said(const TemporaryFolder& folder, const std::string& walls, int status = 0) {
-  const auto result = runCarom(folder, {"check", folder.file("rig.toml", kHead + walls)});
+  const auto result = runCarom(folder, {"check", folder.file("rig.toml", kRigHead + walls)});
   EXPECT_EQ(result.status, status) << result.out << result.err;
   return result.out + result.err;
 }

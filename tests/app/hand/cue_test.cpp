@@ -16,8 +16,6 @@
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-
 HandInput handOf(std::string_view device, bool held, const Vec3& pull_m = Vec3(0.0)) {
   HandInput hand;
   hand.device = device;
@@ -94,7 +92,7 @@ TEST(Cue, TimeThatIsStoppedMidStrokeCancelsIt) {
 }
 
 TEST(Cue, APullOfFifteenCentimetresIsTheRestMomentum) {
-  const Lorentz still(kC_m_s);
+  const Lorentz still(1.42);
   EXPECT_NEAR(strokeOf({-0.15, 0, 0}, still).u.x, 1.0, 1e-15);
   EXPECT_NEAR(strokeOf({0, 0.3, 0}, still).u.y, -2.0, 1e-15);
   EXPECT_NEAR(glm::length(strokeOf({3.0, 4.0, 0}, still).u), kStrongestU, 1e-15) << "no stronger";
@@ -123,6 +121,7 @@ TEST(Cue, StrikesWhereTheHandPointsBesideTheCentre) {
 // A person on a platform points along the table: the stroke goes there, whatever the platform's motion; and
 // the way that is shown in the room is the opposite of the pull where that is level.
 TEST(Cue, TheWayOfAStrokeIsTurnedWithTheRoomNotBoosted) {
+  const double c_m_s = 1.42;
   const RoomAxes axes;  // of a rig: x right, y up, z back
   test::Random random(11);
   for (int i = 0; i < 200; ++i) {
@@ -133,8 +132,8 @@ TEST(Cue, TheWayOfAStrokeIsTurnedWithTheRoomNotBoosted) {
     const glm::dmat3 room(axes.right, axes.forward, axes.up);
     const Vec3 beta = Vec3(std::cos(0.7 * i), std::sin(0.7 * i), 0.0) * random.in(0.0, 0.95);
     const Lorentz boardFromRoom =
-        Lorentz::boost(uFromBeta(beta), kC_m_s) *
-        Lorentz::rotation(glm::normalize(glm::quat_cast(board * glm::transpose(room))), kC_m_s);
+        Lorentz::boost(uFromBeta(beta), c_m_s) *
+        Lorentz::rotation(glm::normalize(glm::quat_cast(board * glm::transpose(room))), c_m_s);
     SCOPED_TRACE(testing::Message() << "seed 11, case " << i << ", facing " << facing_rad);
     // Back by 0.1 m, up by some, to the right by 0.05 m: the stroke goes forward and to the left.
     const CueStroke stroke =

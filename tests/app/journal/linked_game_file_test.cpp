@@ -184,7 +184,7 @@ TEST(LinkedGameFile, AHostFindsTheStrokesOfBothRoomsAgain) {
 }
 
 /// Returns what is said of a file that cannot be hosted again.
-std::string refusalOf(const std::filesystem::path& file) {
+std::string refusalOfStrokes(const std::filesystem::path& file) {
   const std::vector<Puck> pucks = twoPucks();
   try {
     (void)hostedStrokesOf(file, pucks);
@@ -203,7 +203,7 @@ TEST(LinkedGameFile, WhatCannotBeHostedAgainIsRefusedInWords) {
   writeStrokes(joined, 1, all);
   writeStrokes(broken, 0, gap);
   const auto expect = [](const std::filesystem::path& file, const char* words) {
-    const std::string said = refusalOf(file);
+    const std::string said = refusalOfStrokes(file);
     EXPECT_TRUE(said.starts_with("session file " + file.string() + ": ")) << said;
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };

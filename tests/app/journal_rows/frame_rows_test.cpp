@@ -68,6 +68,7 @@ class FrameRows : public testing::Test, protected test::FramesInMemory {
 TEST_F(FrameRows, AreReadWithTheSameBitsFromAnyFrameOn) {
   FrameReader reader(database, 1.42);
   EXPECT_EQ(numbersOf(reader), expected(0, false)) << "at first from the first frame on";
+  EXPECT_FALSE(reader.step()) << "there is still none after the last";
   for (const std::uint64_t from : {0U, 7U, 39U, 40U}) {
     SCOPED_TRACE(from);
     reader.goTo(from);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ FrameRecord recordOf(std::uint64_t number, std::size_t viewers) {
   record.drive.thrust_m_s2 = {0.5, -0.25, 1.0 / 7.0};
   for (std::size_t i = 0; i < viewers; ++i) {
     if (i > 0) record.viewers[i] = frameOf(number + 10 * i).record.viewers[0];
-    record.viewers[i].placeInRoom_m = {0.1, static_cast<double>(i), -1.0 / 3.0};
+    record.viewers[i].placeInRoom_m = {-0.0, static_cast<double>(i), -1.0 / 3.0};
     record.viewers[i].lapse = 0.5 + 0.1 * static_cast<double>(i);
     record.viewers[i].notice = Notice("seen by " + kPeople[i]);
   }
@@ -67,6 +68,7 @@ TEST_F(ViewerRows, AreReadWithTheSameBits) {
     EXPECT_EQ(again.drive.thrust_m_s2, written.drive.thrust_m_s2);
     EXPECT_EQ(again.viewers[0].hasTurn, written.viewers[0].hasTurn);
     EXPECT_EQ(again.viewers[0].placeInRoom_m, written.viewers[0].placeInRoom_m);
+    EXPECT_TRUE(std::signbit(again.viewers[0].placeInRoom_m.x)) << "minus zero";
     EXPECT_EQ(again.viewers[0].lapse, written.viewers[0].lapse);
   }
   const auto valueOf = [&](const char* column) {

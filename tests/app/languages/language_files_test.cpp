@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
+using test::bareHead;
 using test::entry;
-using test::headOf;
 using test::kMine;
 using test::TemporaryFolder;
 
@@ -50,8 +50,8 @@ TEST(LanguageFiles, WhatIsNoLanguageIsOneSentence) {
 TEST(LanguageFiles, APoFileIsReadWithItsOther) {
   const TemporaryFolder folder;
   const auto file =
-      folder.file("carom.po", headOf("it") + entry(plainText().name, plainText().text.english(), "Tiro"));
-  folder.file("scenarios.po", headOf("it") + entry("angles.toml name slow", "slow", "lento"));
+      folder.file("carom.po", bareHead("it") + entry(plainText().name, plainText().text.english(), "Tiro"));
+  folder.file("scenarios.po", bareHead("it") + entry("angles.toml name slow", "slow", "lento"));
   const auto language = loadLanguage(file.string(), {});
   EXPECT_EQ(language->code(), "it");
   EXPECT_EQ(language->other("slow"), "lento");
@@ -60,20 +60,20 @@ TEST(LanguageFiles, APoFileIsReadWithItsOther) {
 
 TEST(LanguageFiles, AnErrorInAnyFileIsAnErrorOfTheLanguage) {
   const TemporaryFolder folder;
-  const auto file =
-      folder.file("carom.po", headOf("it") + entry(plainText().name, plainText().text.english(), "Tiro {}"));
+  const auto file = folder.file(
+      "carom.po", bareHead("it") + entry(plainText().name, plainText().text.english(), "Tiro {}"));
   EXPECT_TRUE(
       refusalOf(file.string()).starts_with(file.string() + ":8:8: text 'tile.kBestShot' has the values {0}"))
       << refusalOf(file.string());
-  folder.file("carom.po", headOf("it"));
-  folder.file("scenarios.po", headOf("fr") + "msgid \"a");
+  folder.file("carom.po", bareHead("it"));
+  folder.file("scenarios.po", bareHead("fr") + "msgid \"a");
   EXPECT_NE(refusalOf(file.string()).find("scenarios.po:6:7: the string has no end"), std::string::npos);
 }
 
 TEST(LanguageFiles, ALanguageWithoutAFontNamesThePackage) {
   const TemporaryFolder folder;
   const auto file = folder.file(
-      "carom.po", headOf("ja") + entry(plainText().name, plainText().text.english(), "最高の一打"));
+      "carom.po", bareHead("ja") + entry(plainText().name, plainText().text.english(), "最高の一打"));
   LetterFonts fonts{[](std::string_view) { return std::u32string(U"最高の一打"); },
                     [] { return std::string("fonts-ipafont-gothic"); }};
   EXPECT_EQ(refusalOf(file.string(), fonts),
@@ -89,7 +89,7 @@ TEST(LanguageFiles, AScenarioOfOnesOwnHasItsWordsBesideIt) {
   const auto mine = folder.file("mine.toml", kMine);
   texts::Language french("fr");
   EXPECT_FALSE(addWordsBeside(mine, french));
-  folder.file("mine.fr.po", headOf("fr") + entry("title", "My game", "Mon jeu") +
+  folder.file("mine.fr.po", bareHead("fr") + entry("title", "My game", "Mon jeu") +
                                 entry("mine.toml name left", "left", "gauche") +
                                 entry("mine.toml lesson todo", "old", "vieux"));
   EXPECT_TRUE(addWordsBeside(mine, french));
@@ -99,7 +99,7 @@ TEST(LanguageFiles, AScenarioOfOnesOwnHasItsWordsBesideIt) {
   const ReadTranslation read = readTranslation(folder / "mine.fr.po", {});
   EXPECT_EQ(read.rules.sources.size(), 15U);
   EXPECT_EQ(read.judged.translated.size(), 2U);
-  folder.file("mine.fr.po", headOf("de"));
+  folder.file("mine.fr.po", bareHead("de"));
   EXPECT_THROW(addWordsBeside(mine, french), InputErrors);
 }
 

@@ -12,8 +12,8 @@
 namespace carom {
 namespace {
 
+using test::bareHead;
 using test::entry;
-using test::headOf;
 
 TEST(PoTemplate, TheSameTextsGiveTheSameBytesWithAllNames) {
   const std::vector<SourceText> sources = sourceTexts(texts::catalogue());
@@ -34,7 +34,7 @@ SourceText source(const std::string& name, const std::string& english, const std
 
 TEST(PoTemplate, AnUpdateKeepsTranslationsAndMarksWhatHasChanged) {
   const PoFile old =
-      parsePo("a.po", headOf("fr") + "# Of the translator.\n#. Old note.\n" + entry("a", "same", "pareil") +
+      parsePo("a.po", bareHead("fr") + "# Of the translator.\n#. Old note.\n" + entry("a", "same", "pareil") +
                           entry("b", "before", "avant") + entry("c 1", "moves", "bouge") +
                           entry("d", "goes", "part") + entry("e", "untranslated before", "") +
                           "#~ msgctxt \"f\"\n#~ msgid \"back\"\n#~ msgstr \"retour\"\n");
@@ -44,7 +44,7 @@ TEST(PoTemplate, AnUpdateKeepsTranslationsAndMarksWhatHasChanged) {
                                source("g", "one", "many")});
   EXPECT_EQ(
       textOf(now.file),
-      headOf("fr") +
+      bareHead("fr") +
           "# Of the translator.\n#. Seen.\nmsgctxt \"a\"\nmsgid \"same\"\nmsgstr \"pareil\"\n\n"
           "#. Seen.\n#, fuzzy\n#| msgid \"before\"\nmsgctxt \"b\"\nmsgid \"after\"\nmsgstr \"avant\"\n\n"
           "#. Seen.\nmsgctxt \"c 1\"\nmsgid \"new\"\nmsgstr \"\"\n\n"

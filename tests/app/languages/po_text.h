@@ -7,7 +7,8 @@
 
 namespace carom::test {
 
-inline std::string headOf(const std::string& language) {
+/// A head that says nothing of plurals.
+inline std::string bareHead(const std::string& language) {
   return "msgid \"\"\nmsgstr \"\"\n\"Language: " + language +
          "\\n\"\n\"Content-Type: text/plain; charset=UTF-8\\n\"\n\n";
 }

@@ -10,10 +10,10 @@
 namespace carom {
 namespace {
 
-constexpr double kHz = 60.0;
-
 class RunningLesson : public testing::Test {
  protected:
+  static constexpr double kHz = 60.0;
+
   RunningLesson() {
     rig_.trackers[0].person = SimulatedMotion::still;
     settings_.lightSpeed_m_s = scenario_.billiard.lightSpeed_m_s;

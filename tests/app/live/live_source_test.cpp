@@ -27,8 +27,6 @@ namespace {
 
 using test::TemporaryFolder;
 
-constexpr double kHz = 60.0;
-
 /// A mouse over a wall a metre away that at seeded times aims at a puck as the frame before showed it, draws
 /// it back along the cloth for some frames and lets go.
 class Mouse {

@@ -20,7 +20,7 @@ for page in "$(dirname "$0")"/../../../app/doc/*.md "$(dirname "$0")"/../../../a
   page=share/doc/carom/app/$(basename "$(dirname "$page")")/$(basename "$page")
   [ -s "$work/usr/$page" ] || fail "$page is not installed"
 done
-stray=$(cd "$share" && find . -name '*.cmake' -o -name build -o -name install-packages -o -name packages.txt -o -name udev -o -name desktop -o -name systemd)
+stray=$(cd "$share" && find . -name '*.cmake' -o -name build -o -name install-packages -o -name "packages*.txt" -o -name udev -o -name desktop -o -name systemd)
 [ -z "$stray" ] || fail "of no use once installed: $stray"
 
 # Installed files that the sources do not have: only from the prefix can the program know them.

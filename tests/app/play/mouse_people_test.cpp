@@ -83,14 +83,14 @@ class MousePeopleTest : public testing::TestWithParam<Axes> {
   double now_s_ = 0.0;
 };
 
-void expectNear(const Vec3& a, const Vec3& b, double within) {
+void expectAt(const Vec3& a, const Vec3& b, double within) {
   EXPECT_LE(glm::distance(a, b), within) << a.x << " " << a.y << " " << a.z;
 }
 
 TEST_P(MousePeopleTest, TheyStandWhereATrackedPersonWould) {
   frames(1);
-  expectNear(poses_[0].position_m, at(0, kHigh_m, 0), 1e-12);
-  expectNear(directionOf(0), GetParam().axes.forward, 1e-12);
+  expectAt(poses_[0].position_m, at(0, kHigh_m, 0), 1e-12);
+  expectAt(directionOf(0), GetParam().axes.forward, 1e-12);
   EXPECT_GT(glm::distance(poses_[2].position_m, poses_[0].position_m), 0.5) << "the other one is beside them";
 }
 
@@ -111,7 +111,7 @@ TEST_P(MousePeopleTest, ArrowsWalkAtAWalkersPaceAndStopSoftly) {
   desk_.walk = {0, 0, -1};
   frames(30);
   EXPECT_LT(glm::dot(poses_[0].position_m, GetParam().axes.up), kHigh_m - 0.2) << "Page Down";
-  expectNear(poses_[2].position_m, other_m, 1e-12);
+  expectAt(poses_[2].position_m, other_m, 1e-12);
 }
 
 TEST_P(MousePeopleTest, NobodyWalksThroughAWall) {
@@ -154,8 +154,8 @@ TEST_P(MousePeopleTest, KeysTurnThemUntilTheMouseMoves) {
   EXPECT_NEAR(turned_rad, MousePeople::kTurn_rad_s, 0.02) << "to the right";
   desk_.look = 0.0;
   frames(60);
-  expectNear(directionOf(0), glm::angleAxis(-turned_rad, GetParam().axes.up) * GetParam().axes.forward, 1e-9);
-  expectNear(directionOf(1), directionOf(0), 1e-9);
+  expectAt(directionOf(0), glm::angleAxis(-turned_rad, GetParam().axes.up) * GetParam().axes.forward, 1e-9);
+  expectAt(directionOf(1), directionOf(0), 1e-9);
   pointTo(at(0.001, kHigh_m, 1.5));
   frames(60);
   EXPECT_LT(misses_m(0, at(0.001, kHigh_m, 1.5)), 1e-9);
@@ -173,18 +173,18 @@ TEST_P(MousePeopleTest, TheLeftButtonDrawsTheWandAsTheMouseMovesOnTheCloth) {
   desk_.mouseHeld = true;
   frames(1);
   EXPECT_TRUE(down_[1]);
-  expectNear(poses_[1].position_m, before.position_m, 1e-9);
+  expectAt(poses_[1].position_m, before.position_m, 1e-9);
   pointTo(behind(0.2, 0.3));
   frames(1);
-  expectNear(poses_[1].position_m - before.position_m, at(0.1, 0.0, -0.3), 1e-9);
-  expectNear(directionOf(1), before.orientation * GetParam().axes.forward, 1e-12);
+  expectAt(poses_[1].position_m - before.position_m, at(0.1, 0.0, -0.3), 1e-9);
+  expectAt(directionOf(1), before.orientation * GetParam().axes.forward, 1e-12);
   desk_.mouseHeld = false;
   frames(1);
   EXPECT_FALSE(down_[1]);
-  expectNear(poses_[1].position_m - before.position_m, at(0.1, 0.0, -0.3), 0.05);
+  expectAt(poses_[1].position_m - before.position_m, at(0.1, 0.0, -0.3), 0.05);
   pointTo(behind(0.1, 0.6));
   frames(120);
-  expectNear(poses_[1].position_m, before.position_m, 1e-6);
+  expectAt(poses_[1].position_m, before.position_m, 1e-6);
 }
 
 TEST_P(MousePeopleTest, TheMouseIsTheirsOverWhoseWallsItIs) {
@@ -193,7 +193,7 @@ TEST_P(MousePeopleTest, TheMouseIsTheirsOverWhoseWallsItIs) {
   desk_.walk = {0, 1, 0};
   desk_.mouseHeld = true;
   frames(30, 1);
-  expectNear(poses_[0].position_m, first.position_m, 1e-12);
+  expectAt(poses_[0].position_m, first.position_m, 1e-12);
   EXPECT_GT(forward_m(2), 0.1);
   EXPECT_TRUE(down_[3] && !down_[1]);
 }

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42, kTop_m = 0.04;
+constexpr double kLight_m_s = 1.42, kTop_m = 0.04;
 
 class SculptureHandsTest : public testing::Test {
  protected:
@@ -19,7 +19,7 @@ class SculptureHandsTest : public testing::Test {
     view_.place.roomFromFoot = {{1.0, 0.0, -0.5}, glm::dquat(std::sqrt(0.5), -std::sqrt(0.5), 0.0, 0.0)};
     view_.place.past_s = 5.0;
   }
-  SculptureMap map() const { return {view_.place, present_, kC_m_s}; }
+  SculptureMap map() const { return {view_.place, present_, kLight_m_s}; }
   Vec3 inRoom(const Vec3& own_m) const { return view_.place.roomFromFoot * own_m; }
 
   /// Points from a place to another; `held`: with the button.

@@ -58,6 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
               7, 8, "taken in line 4"},
         Fault{"no port for each", withLines("[start]\nports = '47000-47014'\n"), 4, 9,
               "a range of 16 TCP ports at least"},
+        Fault{"ports with signs", withLines("[start]\nports = '+47000- 47099'\n"), 4, 9, "'+47000- 47099'"},
         Fault{"ports of the system", withLines("[start]\nports = '1023-2000'\n"), 4, 9, "from 1024 to 65535"},
         Fault{"ports beyond the last", withLines("[start]\nports = '65000-65536'\n"), 4, 9,
               "from 1024 to 65535"},

@@ -42,7 +42,7 @@ glm::dvec3 onArc_m(const glm::dvec2& inWindow) {
   return {3.0 * std::sin(angle), 0.1 + 2.5 * inWindow.y, -3.0 * std::cos(angle)};
 }
 
-Rig read(const std::string& text) {
+Rig rigOf(const std::string& text) {
   const TemporaryFolder folder;
   const auto inMillimetres = [](const glm::dvec2& at) { return 1e3 * onArc_m(at); };
   folder.file("arc.pfm", test::pfmBytes(33, 17, inMillimetres));
@@ -63,7 +63,7 @@ Rig read(const std::string& text) {
   return readRig(folder.file("given.toml", text));
 }
 
-std::string changed(const std::string& from, const std::string& to) {
+std::string arcWith(const std::string& from, const std::string& to) {
   std::string text = kArc;
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -79,7 +79,7 @@ void expectAt(const Wall& wall, const glm::dvec2& inWindow, const glm::dvec3& ex
 }
 
 TEST(RigScreen, ACylinderTurnsToTheRightFromAhead) {
-  const Rig rig = read(kArc);
+  const Rig rig = rigOf(kArc);
   const Wall& wall = rig.walls.at(0);
   ASSERT_TRUE(wall.screen);
   expectAt(wall, {0.0, 0.0}, {0.1 - 3.0 * std::sin(std::numbers::pi / 3.0), 0.2 + 1.5, 0.1});
@@ -88,7 +88,7 @@ TEST(RigScreen, ACylinderTurnsToTheRightFromAhead) {
 }
 
 TEST(RigScreen, ADomeHasItsFrontAtTheBottomAndLeansForward) {
-  const Rig rig = read(
+  const Rig rig = rigOf(
       kArc.substr(0, kArc.find("screen")) +
       "facet_sagitta = 30\nscreen = { shape = 'dome', centre = [0, 0, 120], radius = 500, fov_deg = 180, "
       "tilt_deg = 20, heading_deg = 90 }\n");
@@ -104,7 +104,7 @@ TEST(RigScreen, ADomeHasItsFrontAtTheBottomAndLeansForward) {
 }
 
 TEST(RigScreen, WordsStandOnAChordAheadWhereNoFlatWallDoes) {
-  const Rig rig = read(kArc);
+  const Rig rig = rigOf(kArc);
   ASSERT_TRUE(rig.panel);
   const Wall& panel = *rig.panel;
   const double half_m = 3.0 * std::sin(std::numbers::pi / 6.0);
@@ -118,15 +118,15 @@ TEST(RigScreen, WordsStandOnAChordAheadWhereNoFlatWallDoes) {
 
 TEST(RigScreen, APanelIsWhereTheRigSays) {
   const Rig rig =
-      read(kArc +
-           "[panel]\nlower_left = [-100, 250, 50]\nlower_right = [100, 250, 50]\nupper_left = [-100, "
-           "250, 150]\n");
+      rigOf(kArc +
+            "[panel]\nlower_left = [-100, 250, 50]\nlower_right = [100, 250, 50]\nupper_left = [-100, "
+            "250, 150]\n");
   ASSERT_TRUE(rig.panel);
   EXPECT_EQ(rig.panel->lowerLeft_m, glm::dvec3(-1.0, 2.5, 0.5));
 }
 
 TEST(RigScreen, PiecesAreTheFlatWallsOfTheRoom) {
-  const Rig rig = read(kArc);
+  const Rig rig = rigOf(kArc);
   const std::vector<Wall> flat = standingWalls(rig);
   ASSERT_EQ(flat.size(), rig.walls[0].screen->pieces.size());
   for (std::size_t i = 0; i < flat.size(); ++i) {
@@ -139,9 +139,9 @@ TEST(RigScreen, PiecesAreTheFlatWallsOfTheRoom) {
 
 TEST(RigScreen, APictureByDirectionIsForEyesOfItsOwn) {
   const std::string before = kArc.substr(0, kArc.find("screen"));
-  const Rig rig = read(before +
-                       "warp = 'mirror.obj'\nsky = { kind = 'fisheye', fov_deg = 240, heading_deg = 90, "
-                       "tilt_deg = 30, from = [10, 20, 170] }\n");
+  const Rig rig = rigOf(before +
+                        "warp = 'mirror.obj'\nsky = { kind = 'fisheye', fov_deg = 240, heading_deg = 90, "
+                        "tilt_deg = 30, from = [10, 20, 170] }\n");
   const Wall& wall = rig.walls.at(0);
   ASSERT_TRUE(wall.sky && wall.screen);
   EXPECT_EQ(wall.sky->from_m, glm::dvec3(0.1, 0.2, 1.7));
@@ -158,7 +158,7 @@ TEST(RigScreen, APictureByDirectionIsForEyesOfItsOwn) {
 }
 
 TEST(RigScreen, APictureByDirectionWithoutAPlaceIsTheHeads) {
-  const Rig rig = read(kArc.substr(0, kArc.find("screen")) + "sky = { kind = 'cubemap' }\n");
+  const Rig rig = rigOf(kArc.substr(0, kArc.find("screen")) + "sky = { kind = 'cubemap' }\n");
   ASSERT_TRUE(rig.walls.at(0).sky);
   EXPECT_FALSE(rig.walls[0].sky->from_m);
   EXPECT_EQ(rig.walls[0].screen->pieces.size(), 6U);
@@ -172,7 +172,7 @@ TEST(RigScreen, AMeasuredScreenStandsWhereItsFileAndTheRigSay) {
   for (const std::string& screen : {"{ shape = 'grid', file = 'arc.pfm', unit = 'mm', " + pose,
                                     "{ shape = 'grid', file = 'arc.vwf', unit = 'mm', " + pose,
                                     "{ shape = 'mesh', file = 'arc.obj', unit = 'm', " + pose}) {
-    const Rig rig = read(kWall + "screen = " + screen);
+    const Rig rig = rigOf(kWall + "screen = " + screen);
     const Wall& wall = rig.walls.at(0);
     ASSERT_TRUE(wall.screen);
     for (const glm::dvec2& at : {glm::dvec2(0.0, 0.0), {0.5, 1.0}, {1.0, 0.4}, {0.3, 0.7}}) {
@@ -187,7 +187,7 @@ TEST(RigScreen, ARowOfAGridIsAtTheEdgeThatTheRigSays) {
   const std::string screen =
       "screen = { shape = 'grid', file = 'arc.pfm', unit = 'mm', room_from_screen = { "
       "rotation_deg = [90, 0, 0] }, rows = 'top' }\n";
-  const Rig rig = read(kWall + screen);
+  const Rig rig = rigOf(kWall + screen);
   expectAt(rig.walls.at(0), {0.5, 1.0}, {0.0, 3.0, 0.1});
 }
 
@@ -208,43 +208,43 @@ TEST(RigScreen, TheLightInAVwfIsItsBlend) {
 
 class RigScreenFaults : public ::testing::TestWithParam<Fault> {};
 
-TEST_P(RigScreenFaults, ArePlacedAndExplained) { test::expectExplained(GetParam(), read); }
+TEST_P(RigScreenFaults, ArePlacedAndExplained) { test::expectExplained(GetParam(), rigOf); }
 
 INSTANTIATE_TEST_SUITE_P(
     All, RigScreenFaults,
     ::testing::Values(
-        Fault{"no turn", changed("to_deg = 60", "to_deg = -60"), 11, 109, "more than 0 and at most 360"},
-        Fault{"over a turn", changed("to_deg = 60", "to_deg = 301"), 11, 109, "by 361°"},
-        Fault{"no radius", changed("radius = 300", "radius = 0"), 11, 79, "a number above 0"},
-        Fault{"upside down", changed("bottom = 10", "bottom = 270"), 11, 133, "not above the bottom"},
-        Fault{"no axis", changed("[0, 0, 2]", "[0, 0, 0]"), 11, 59, "has no length"},
+        Fault{"no turn", arcWith("to_deg = 60", "to_deg = -60"), 11, 109, "more than 0 and at most 360"},
+        Fault{"over a turn", arcWith("to_deg = 60", "to_deg = 301"), 11, 109, "by 361°"},
+        Fault{"no radius", arcWith("radius = 300", "radius = 0"), 11, 79, "a number above 0"},
+        Fault{"upside down", arcWith("bottom = 10", "bottom = 270"), 11, 133, "not above the bottom"},
+        Fault{"no axis", arcWith("[0, 0, 2]", "[0, 0, 0]"), 11, 59, "has no length"},
         Fault{"a dome of nothing",
-              changed("screen",
+              arcWith("screen",
                       "screen = { shape = 'dome', centre = [0, 0, 120], radius = 500, fov_deg = 0 }\n#"),
               11, 74, "a number above 0 up to 359"},
         Fault{"a dome of a whole turn",
-              changed("screen",
+              arcWith("screen",
                       "screen = { shape = 'dome', centre = [0, 0, 120], radius = 500, fov_deg = 360 }\n#"),
               11, 74, "a number above 0 up to 359"},
         Fault{"a mesh without vt", kWall + "screen = { shape = 'mesh', file = 'novt.obj' }\n", 11, 35,
               "novt.obj:4:3: '1' is wrong, expected both v and vt"},
         Fault{"a mesh with NaN", kWall + "screen = { shape = 'mesh', file = 'nan.obj' }\n", 11, 35,
               "nan.obj:1:5: 'nan' is wrong"},
-        Fault{"no texels", changed("screen", "texels_per_pixel = 0\nscreen"), 11, 20, "from 1 to 4"},
-        Fault{"corners, too", changed("screen", "lower_left = [0, 0, 0]\nscreen"), 11, 14, "beside screen"},
+        Fault{"no texels", arcWith("screen", "texels_per_pixel = 0\nscreen"), 11, 20, "from 1 to 4"},
+        Fault{"corners, too", arcWith("screen", "lower_left = [0, 0, 0]\nscreen"), 11, 14, "beside screen"},
         Fault{"a flat wall's sagitta",
               kArc + "[[wall]]\nname = 'flat'\nlower_left = [0, 300, 0]\nlower_right = [100, "
                      "300, 0]\nupper_left = [0, 300, 100]\npixels = [9, 9]\nfacet_sagitta = 1\n",
               18, 17, "of a wall with a screen"},
-        Fault{"a screen and a sky", changed("screen", "sky = { kind = 'fisheye' }\nscreen"), 11, 7,
+        Fault{"a screen and a sky", arcWith("screen", "sky = { kind = 'fisheye' }\nscreen"), 11, 7,
               "without a screen"},
         Fault{"a sky with corners",
-              changed("screen", "lower_left = [0, 0, 0]\nsky = { kind = 'fisheye' }\n#"), 11, 14,
+              arcWith("screen", "lower_left = [0, 0, 0]\nsky = { kind = 'fisheye' }\n#"), 11, 14,
               "beside screen or sky"},
-        Fault{"a sky of no kind", changed("screen", "sky = { kind = 'dome' }\n#"), 11, 16, "fisheye"},
-        Fault{"a fisheye of 0 degrees", changed("screen", "sky = { kind = 'fisheye', fov_deg = 0 }\n#"), 11,
+        Fault{"a sky of no kind", arcWith("screen", "sky = { kind = 'dome' }\n#"), 11, 16, "fisheye"},
+        Fault{"a fisheye of 0 degrees", arcWith("screen", "sky = { kind = 'fisheye', fov_deg = 0 }\n#"), 11,
               37, "a number above 0"},
-        Fault{"a sky's sagitta", changed("screen", "facet_sagitta = 1\nsky = { kind = 'fisheye' }\n#"), 11,
+        Fault{"a sky's sagitta", arcWith("screen", "facet_sagitta = 1\nsky = { kind = 'fisheye' }\n#"), 11,
               17, "of a wall with a screen"},
         Fault{"one triangle", kWall + "screen = { shape = 'mesh', file = 'one.obj' }\n", 11, 35,
               "two at least"},

@@ -17,15 +17,15 @@ using test::refusalOf;
 using test::roomOf;
 using test::with;
 
-const std::filesystem::path kRooms = CAROM_TESTS_DIR "/fuzz/fuzz_rooms";
+const std::filesystem::path kFuzzRooms = CAROM_TESTS_DIR "/fuzz/fuzz_rooms";
 
 std::string textOf(const std::string& name) {
-  std::ifstream file(kRooms / name);
+  std::ifstream file(kFuzzRooms / name);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TEST(BadRooms, HalfAFileSaysWhereItEnds) {
-  for (const auto& entry : std::filesystem::directory_iterator(kRooms)) {
+  for (const auto& entry : std::filesystem::directory_iterator(kFuzzRooms)) {
     const std::string name = entry.path().filename(), text = textOf(name);
     const std::string said = refusalOf(name, text.substr(0, text.size() / 2));
     // The lines of the text form of nDisplay stand alone.

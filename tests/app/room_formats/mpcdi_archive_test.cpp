@@ -8,16 +8,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/room_formats/read_room.h"
 #include "app/temporary_folder.h"
 #include "app/toml/input_file.h"
-#include "places.h"
 
 namespace carom {
 namespace {
 
+using test::kArc;
 using test::TemporaryFolder;
 
-const std::filesystem::path kArc = CAROM_TESTS_DIR "/data/rooms/cylinder_a3.mpcdi";
 constexpr std::size_t kMost = 1'000'000;
 
 /// Returns what a refusal says; empty if there is none.

@@ -3,20 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 
 #include "app/room_formats/read_room.h"
-#include "places.h"
 
 namespace carom {
 namespace {
 
 using test::allFindings;
 using test::findingWith;
+using test::kArc;
 using test::TemporaryFolder;
-
-const std::filesystem::path kArc = CAROM_TESTS_DIR "/data/rooms/cylinder_a3.mpcdi";
 
 /// A description with two regions side by side, in lines 3 and 4.
 std::string description(const std::string& profile, const std::string& second = "0.5") {

@@ -9,8 +9,11 @@
 
 #include "app/room_formats/room_kind.h"
 #include "app/temporary_folder.h"
+#include "places.h"
 
 namespace carom::test {
+
+inline const std::string kArc = CAROM_TESTS_DIR "/data/rooms/cylinder_a3.mpcdi";
 
 /// Reads a room from a text, whose file has this name.
 inline Room roomOf(const std::string& name, const std::string& text, const std::string& room = "") {

@@ -7,11 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "app/import_faults.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
 namespace {
 
+using test::placed;
 using test::TemporaryFolder;
 using Kind = JsonNode::Kind;
 
@@ -24,8 +26,6 @@ JsonNode readWithComments(const std::string& text) {
   const TemporaryFolder folder;
   return readJsonWithComments(folder.file("a.json", text));
 }
-
-std::string placed(const FilePlace& at) { return std::to_string(at.line) + ":" + std::to_string(at.column); }
 
 /// "LINE:COLUMN MESSAGE" of the fault that `read` finds; empty if it finds none.
 template <class Read>

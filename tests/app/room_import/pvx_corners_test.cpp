@@ -9,17 +9,17 @@
 namespace carom {
 namespace {
 
+namespace pvx = test::pvx;
 using test::pvx::changed;
 using test::pvx::kGood;
 using test::pvx::machine;
 using test::pvx::PvxFaults;
-using test::pvx::read;
 
 using Fault = test::ImportFault;
 
 // The corner that is not given is opposite to LowerRight.
 TEST(PvxCorners, TheFourthCornerFollowsFromThree) {
-  const Room room = read(
+  const Room room = pvx::read(
       machine("Name='w' Geometry='400x300+0+0' LowerLeft='-2 0 -1' LowerRight='2 0 -1' UpperRight='2 3 -1'"));
   ASSERT_EQ(room.walls.size(), 1u);
   EXPECT_EQ(room.walls[0].wall.lowerLeft_m, glm::dvec3(-2, 0, -1));

@@ -16,17 +16,17 @@
 namespace carom {
 namespace {
 
+namespace pvx = test::pvx;
 using test::pvx::changed;
 using test::pvx::kFloor;
 using test::pvx::kGood;
 using test::pvx::machine;
 using test::pvx::PvxFaults;
-using test::pvx::read;
 using Fault = test::ImportFault;
 
 TEST(PvxFile, ReadsAWall) {
   const Room room =
-      read(machine(kFloor + " StereoType='Crystal Eyes' FullScreen='1' Environment='DISPLAY=:0.4'"));
+      pvx::read(machine(kFloor + " StereoType='Crystal Eyes' FullScreen='1' Environment='DISPLAY=:0.4'"));
   EXPECT_TRUE(room.findings.empty()) << room.findings[0].text;
   ASSERT_EQ(room.walls.size(), 1u);
   const Wall& wall = room.walls[0].wall;
@@ -45,8 +45,8 @@ TEST(PvxFile, ReadsAWall) {
 TEST(PvxFile, RanksAreThePlacesOfMachines) {
   const std::string one = "<Machine Name='a' LowerLeft='-1 -1 -1' LowerRight='1 -1 -1' UpperRight='1 1 -1'/>";
   const Room room =
-      read("<pvx><Process Type='client'/><Process Type='server'>\n<EyeSeparation Value='0.06'/>" + one + one +
-           "</Process></pvx>");
+      pvx::read("<pvx><Process Type='client'/><Process Type='server'>\n<EyeSeparation Value='0.06'/>" + one +
+                one + "</Process></pvx>");
   ASSERT_EQ(room.walls.size(), 2u);
   EXPECT_EQ(room.walls[0].wall.node, 0);
   EXPECT_EQ(room.walls[1].wall.node, 1);
@@ -54,7 +54,7 @@ TEST(PvxFile, RanksAreThePlacesOfMachines) {
   EXPECT_EQ(room.eyeSeparation_m, 0.06);
 }
 
-TEST_P(PvxFaults, ArePlacedAndExplained) { test::expectFound(GetParam(), read(GetParam().text)); }
+TEST_P(PvxFaults, ArePlacedAndExplained) { test::expectFound(GetParam(), pvx::read(GetParam().text)); }
 
 INSTANTIATE_TEST_SUITE_P(
     All, PvxFaults,
@@ -96,7 +96,7 @@ TEST(PvxFile, RefusesWhatIsNoXml) {
       {"<pvx>", 1, 6}};
   for (const auto& [text, line, column] : files) {
     try {
-      read(text);
+      pvx::read(text);
       ADD_FAILURE() << "was taken: " << text;
     } catch (const InputErrors& error) {
       EXPECT_EQ(error.line(), line) << text << ": " << error.what();
@@ -105,12 +105,12 @@ TEST(PvxFile, RefusesWhatIsNoXml) {
   }
   std::string deep;
   for (int i = 0; i < 10000; ++i) deep += "<pvx>";
-  EXPECT_THROW(read(deep), InputErrors);
+  EXPECT_THROW(pvx::read(deep), InputErrors);
 }
 
 TEST(PvxFile, OddRoomsAreJudged) {
   // Halves of a floor with pixels of 840 x 1050 px/m, one of them through the viewer's eyes.
-  const Room room = read(
+  const Room room = pvx::read(
       "<pvx>\n"
       "<Machine Name='FloorTop' Geometry='2560x1600+0+0' LowerLeft='-1.524 -1.524 0'\n"
       "  LowerRight='1.524 -1.524 0' UpperRight='1.524 -1.524 -1.524'/>\n"

@@ -18,13 +18,12 @@
 namespace carom {
 namespace {
 
+namespace sgct = test::sgct;
 using test::sgct::changed;
-using test::sgct::kGood;
-using test::sgct::read;
 using Fault = test::ImportFault;
 
 TEST(SgctFile, ReadsAWall) {
-  const Room room = read(kGood);
+  const Room room = sgct::read(sgct::kGood);
   EXPECT_TRUE(room.findings.empty()) << room.findings[0].text;
   EXPECT_TRUE(judgeRoom(room).empty()) << judgeRoom(room)[0].text;
   ASSERT_EQ(room.walls.size(), 1u);
@@ -41,7 +40,7 @@ TEST(SgctFile, ReadsAWall) {
 
 class SgctFaults : public ::testing::TestWithParam<Fault> {};
 
-TEST_P(SgctFaults, ArePlacedAndExplained) { test::expectFound(GetParam(), read(GetParam().text)); }
+TEST_P(SgctFaults, ArePlacedAndExplained) { test::expectFound(GetParam(), sgct::read(GetParam().text)); }
 
 INSTANTIATE_TEST_SUITE_P(
     All, SgctFaults,
@@ -117,14 +116,14 @@ TEST(SgctFile, RefusesWhatIsNoJson) {
                                                              {"{} x", 1, 4}};
   for (const auto& [text, line, column] : files) {
     try {
-      read(text);
+      sgct::read(text);
       ADD_FAILURE() << "was taken: " << text;
     } catch (const InputErrors& error) {
       EXPECT_EQ(error.line(), line) << text << ": " << error.what();
       EXPECT_EQ(error.column(), column) << text << ": " << error.what();
     }
   }
-  EXPECT_THROW(read(std::string(100000, '[')), InputErrors);
+  EXPECT_THROW(sgct::read(std::string(100000, '[')), InputErrors);
 }
 
 TEST(SgctFile, ShippedExamplesOfSgctAreRight) {

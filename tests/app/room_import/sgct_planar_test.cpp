@@ -12,12 +12,12 @@
 namespace carom {
 namespace {
 
+namespace sgct = test::sgct;
 using test::sgct::projected;
-using test::sgct::read;
 
 // A screen by angles lies where SGCT draws it: 10 m along -z unless told, turned, then moved.
 TEST(SgctFile, TakesPlanarProjectionsAsSgctDrawsThem) {
-  const Room room = read(projected(R"("type": "PlanarProjection", "fov": { "hfov": 90, "vfov": 60 })"));
+  const Room room = sgct::read(projected(R"("type": "PlanarProjection", "fov": { "hfov": 90, "vfov": 60 })"));
   ASSERT_EQ(room.walls.size(), 1u);
   const double half_m = 10.0 / std::sqrt(3.0);  // tan 30°
   const auto expectNear = [](const glm::dvec3& found_m, const glm::dvec3& expected_m) {
@@ -31,7 +31,7 @@ TEST(SgctFile, TakesPlanarProjectionsAsSgctDrawsThem) {
   EXPECT_NE(room.findings[0].text.find("20.00 × 11.55 m, 10 m from the origin"), std::string::npos)
       << room.findings[0].text;
   // Yaw turns to the right, pitch up, roll clockwise; the offset comes last.
-  const Room turned = read(projected(
+  const Room turned = sgct::read(projected(
       R"("type": "PlanarProjection", "distance": 2, "offset": { "x": 0, "y": 1, "z": 0 },
       "orientation": { "yaw": 90, "pitch": 0, "roll": 0 },
       "fov": { "left": 45, "right": 0, "down": 0, "up": 45 })"));
@@ -40,11 +40,11 @@ TEST(SgctFile, TakesPlanarProjectionsAsSgctDrawsThem) {
   expectNear(turned.walls[0].wall.lowerRight_m, {2, 1, 0});
   expectNear(turned.walls[0].wall.upperLeft_m, {2, 3, -2});
   const Room up =
-      read(projected(R"("type": "PlanarProjection", "orientation": { "yaw": 0, "pitch": 90, "roll": 0 },
+      sgct::read(projected(R"("type": "PlanarProjection", "orientation": { "yaw": 0, "pitch": 90, "roll": 0 },
       "fov": { "hfov": 90, "vfov": 90, "distance": 3 })"));
   expectNear(up.walls.at(0).wall.lowerLeft_m, {-3, 3, -3});
   expectNear(up.walls.at(0).wall.upperLeft_m, {-3, 3, 3});
-  const Room quaternion = read(projected(R"("type": "PlanarProjection",
+  const Room quaternion = sgct::read(projected(R"("type": "PlanarProjection",
       "orientation": { "x": 0, "y": -0.70710678, "z": 0, "w": 0.70710678 },
       "fov": { "hfov": 90, "vfov": 90, "distance": 1 })"));
   EXPECT_LT(glm::distance(quaternion.walls.at(0).wall.lowerLeft_m, glm::dvec3(1, -1, -1)), 1e-7);
@@ -52,7 +52,7 @@ TEST(SgctFile, TakesPlanarProjectionsAsSgctDrawsThem) {
 
 TEST(SgctFile, NamesWhatIsWrongInAPlanarProjection) {
   const auto says = [](const std::string& rest, const std::string& words) {
-    const Room room = read(projected(R"("type": "PlanarProjection", )" + rest));
+    const Room room = sgct::read(projected(R"("type": "PlanarProjection", )" + rest));
     ASSERT_FALSE(room.findings.empty()) << rest;
     EXPECT_TRUE(room.hasErrors()) << rest;
     EXPECT_NE(room.findings[0].text.find(words), std::string::npos) << room.findings[0].text;

@@ -17,8 +17,8 @@
 namespace carom {
 namespace {
 
+namespace sgct = test::sgct;
 using test::sgct::projected;
-using test::sgct::read;
 
 void expectVector(const glm::dvec3& found, const glm::dvec3& expected) {
   EXPECT_LT(glm::distance(found, expected), 1e-12) << found.x << ' ' << found.y << ' ' << found.z;
@@ -34,7 +34,8 @@ Sky skyIn(const Room& room) {
 
 // "A value of 90 would result in the forward facing direction being at the center" (SGCT's own schema).
 TEST(SgctFile, AFisheyeBecomesASky) {
-  const Room room = read(projected(R"("type": "FisheyeProjection", "fov": 165, "tilt": 30, "crop": {})"));
+  const Room room =
+      sgct::read(projected(R"("type": "FisheyeProjection", "fov": 165, "tilt": 30, "crop": {})"));
   const Sky sky = skyIn(room);
   EXPECT_EQ(sky.kind, SkyKind::fisheye);
   EXPECT_NEAR(sky.fov_rad, 165.0 / 180.0 * std::numbers::pi, 1e-12);
@@ -49,14 +50,14 @@ TEST(SgctFile, AFisheyeBecomesASky) {
 TEST(SgctFile, AnEquirectangularPictureIsSeenByAHeadThatIsTracked) {
   std::string text = projected(R"("type": "EquirectangularProjection")");
   const std::size_t at = text.find("\"projection\"");
-  const Room room = read(text.insert(at, R"("tracked": true, )"));
+  const Room room = sgct::read(text.insert(at, R"("tracked": true, )"));
   EXPECT_EQ(skyIn(room).kind, SkyKind::equirectangular);
   EXPECT_FALSE(room.walls[0].wall.sky->from_m);
 }
 
 // SGCT's window goes once round, the front at its left edge; its heights are in radii above the user.
 TEST(SgctFile, ACylinderStandsRoundTheUser) {
-  const Room room = read(
+  const Room room = sgct::read(
       projected(R"("type": "CylindricalProjection", "rotation": 90, "heightoffset": -0.5, "radius": 3)"));
   ASSERT_EQ(room.walls.size(), 1u);
   const auto& screen = std::get<CylinderScreen>(room.walls[0].wall.screen->shape);
@@ -73,7 +74,7 @@ TEST(SgctFile, ACylinderStandsRoundTheUser) {
 }
 
 TEST(SgctFile, AMirrorsMeshesAreNamed) {
-  const Room room = read(projected(
+  const Room room = sgct::read(projected(
       R"("type": "SphericalMirrorProjection", "geometry": { "bottom": "b.obj", "left": "l.obj" })"));
   EXPECT_EQ(skyIn(room).kind, SkyKind::fisheye);
   ASSERT_EQ(room.findings.size(), 1u);
@@ -86,7 +87,7 @@ TEST(SgctFile, PicturesOfWrongNumbersAreRefused) {
        {R"("type": "FisheyeProjection", "fov": 360)", R"("type": "FisheyeProjection", "tilt": "steep")",
         R"("type": "CylindricalProjection", "radius": 0)"}) {
     SCOPED_TRACE(projection);
-    const Room room = read(projected(projection));
+    const Room room = sgct::read(projected(projection));
     EXPECT_TRUE(room.walls.empty());
     EXPECT_TRUE(room.hasErrors());
   }

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-JsonNode read(const std::string& text) {
+JsonNode jsonOf(const std::string& text) {
   const test::TemporaryFolder folder;
   return readJson(folder.file("a.json", text));
 }
@@ -28,7 +28,7 @@ std::vector<std::string> saidOf(const Room& room) {
 using Said = std::vector<std::string>;
 
 TEST(SgctValues, NumbersAreInTheirRangeOrSaid) {
-  const JsonNode root = read("{\"a\": 3, \"b\": 2.5, \"c\": \"3\", \"d\": -1}");
+  const JsonNode root = jsonOf("{\"a\": 3, \"b\": 2.5, \"c\": \"3\", \"d\": -1}");
   constexpr Range kRange{.least = 0.0, .most = 10.0};
   Room room;
   EXPECT_EQ(number(root, "a", kRange, true, room), 3.0);
@@ -45,7 +45,7 @@ TEST(SgctValues, NumbersAreInTheirRangeOrSaid) {
 
 TEST(SgctValues, VectorsHaveAllTheirCoordinates) {
   const JsonNode root =
-      read("{\"p\": {\"x\": 1, \"y\": 2, \"z\": 3},\n\"q\": {\"x\": 1, \"z\": 2},\n\"r\": 5}");
+      jsonOf("{\"p\": {\"x\": 1, \"y\": 2, \"z\": 3},\n\"q\": {\"x\": 1, \"z\": 2},\n\"r\": 5}");
   Room room;
   const auto whole = numbers<3>(root, "p", {}, false, room);
   ASSERT_TRUE(whole);
@@ -60,9 +60,9 @@ TEST(SgctValues, VectorsHaveAllTheirCoordinates) {
 TEST(SgctValues, UnknownAndRepeatedKeysAreWarnings) {
   const std::vector<std::string_view> known{"size", "pos"};
   Room room;
-  noteUnknown(read("{\"size\": 1, \"spout\": 2, \"$schema\": \"s\", \"pos\": 3}"), known, room);
+  noteUnknown(jsonOf("{\"size\": 1, \"spout\": 2, \"$schema\": \"s\", \"pos\": 3}"), known, room);
   EXPECT_TRUE(room.findings.empty());
-  noteUnknown(read("{\"sise\": 1,\n\"pos\": 2, \"pos\": 3}"), known, room);
+  noteUnknown(jsonOf("{\"sise\": 1,\n\"pos\": 2, \"pos\": 3}"), known, room);
   ASSERT_EQ(room.findings.size(), 2u);
   EXPECT_NE(saidOf(room)[0].find("W 1:2 "), std::string::npos) << saidOf(room)[0];
   EXPECT_NE(saidOf(room)[0].find("'sise'"), std::string::npos) << saidOf(room)[0];
@@ -70,7 +70,7 @@ TEST(SgctValues, UnknownAndRepeatedKeysAreWarnings) {
 }
 
 TEST(SgctValues, FlagsArraysAndObjectsAreOfTheirKinds) {
-  const JsonNode root = read("{\"on\": true, \"off\": false, \"list\": [], \"word\": \"x\"}");
+  const JsonNode root = jsonOf("{\"on\": true, \"off\": false, \"list\": [], \"word\": \"x\"}");
   Room room;
   EXPECT_TRUE(flag(root, "on", room));
   EXPECT_FALSE(flag(root, "off", room));

@@ -13,10 +13,9 @@
 namespace carom {
 namespace {
 
+namespace sgct = test::sgct;
 using test::sgct::changed;
-using test::sgct::kGood;
 using test::sgct::projected;
-using test::sgct::read;
 
 TEST(SgctFile, ViewportsShareTheirWindow) {
   // Two halves, the lower for the left eye; SGCT counts from the lower left.
@@ -26,7 +25,7 @@ TEST(SgctFile, ViewportsShareTheirWindow) {
   std::string second = text.substr(begin, end + 1 - begin);
   second.replace(second.find("0.5"), 3, "0.0").replace(second.find("right"), 5, "left");
   text.insert(end + 1, ", " + second);
-  const Room room = read(text);
+  const Room room = sgct::read(text);
   EXPECT_TRUE(room.findings.empty()) << room.findings[0].text;
   ASSERT_EQ(room.walls.size(), 2u);
   ASSERT_TRUE(room.oneWindow);
@@ -40,7 +39,7 @@ TEST(SgctFile, ViewportsShareTheirWindow) {
 }
 
 TEST(SgctFile, SaysWhichProjectionsItCannotUse) {
-  const Room room = read(projected(R"("type": "CubemapProjection", "quality": "1k")"));
+  const Room room = sgct::read(projected(R"("type": "CubemapProjection", "quality": "1k")"));
   ASSERT_EQ(room.findings.size(), 2u);
   EXPECT_EQ(room.findings[0].at.line, 7);
   EXPECT_NE(room.findings[0].text.find("'CubemapProjection' shows no wall"), std::string::npos);
@@ -50,12 +49,13 @@ TEST(SgctFile, SaysWhichProjectionsItCannotUse) {
 // Parts of a window that meet there meet in pixels, too, whatever its size, and none reaches out.
 TEST(SgctFile, SplitWindowsOfOddSizesFit) {
   const auto viewport = [](double x, double y, double width, double height) {
-    std::string text = kGood.substr(kGood.find("{\n      \"projection\""));
+    std::string text = sgct::kGood.substr(sgct::kGood.find("{\n      \"projection\""));
     text = text.substr(0, text.find("}]\n  }] }]") + 1);
     return text.insert(1, fmt::format(R"("pos": {{ "x": {}, "y": {} }}, "size": {{ "x": {}, "y": {} }},)", x,
                                       y, width, height));
   };
-  const std::size_t begin = kGood.find("{\n      \"projection\""), end = kGood.find("}]\n  }] }]") + 1;
+  const std::size_t begin = sgct::kGood.find("{\n      \"projection\""),
+                    end = sgct::kGood.find("}]\n  }] }]") + 1;
   for (const int height : {1, 2, 3, 525, 1079, 1080, 1081}) {
     for (const int parts : {2, 3, 7}) {
       if (height < parts) continue;
@@ -64,10 +64,10 @@ TEST(SgctFile, SplitWindowsOfOddSizesFit) {
         const double low = std::round(1e6 * i / parts) / 1e6, high = std::round(1e6 * (i + 1) / parts) / 1e6;
         viewports += (i == 0 ? "" : ", ") + viewport(0, low, 1, high - low);
       }
-      std::string text = kGood;
+      std::string text = sgct::kGood;
       text.replace(begin, end - begin, viewports);
       text.replace(text.find("\"y\": 720"), 8, fmt::format("\"y\": {}", height));
-      const Room room = read(text);
+      const Room room = sgct::read(text);
       ASSERT_FALSE(room.hasErrors()) << height << ", " << parts << ": " << room.findings[0].text;
       ASSERT_EQ(room.walls.size(), static_cast<std::size_t>(parts));
       int edge = height;  // from the bottom up
@@ -80,9 +80,9 @@ TEST(SgctFile, SplitWindowsOfOddSizesFit) {
       EXPECT_EQ(edge, 0) << height << " in " << parts;
     }
   }
-  std::string text = kGood;
+  std::string text = sgct::kGood;
   text.replace(begin, end - begin, viewport(0, 0.6, 1, 0.5));
-  const Room room = read(text);
+  const Room room = sgct::read(text);
   ASSERT_TRUE(room.hasErrors());
   EXPECT_NE(room.findings[0].text.find("reaches to (1, 1.1) of its window"), std::string::npos)
       << room.findings[0].text;

@@ -5,14 +5,16 @@
 
 #include <string>
 
+#include "app/import_faults.h"
+
 namespace carom {
 namespace {
+
+using test::placed;
 
 XmlFile parse(const std::string& text, Doctype doctype = Doctype::none) {
   return parseXml("a.xml", text, doctype);
 }
-
-std::string placed(const FilePlace& at) { return std::to_string(at.line) + ":" + std::to_string(at.column); }
 
 /// "LINE:COLUMN MESSAGE" of the fault of a text; empty if it has none.
 std::string faultOf(const std::string& text, Doctype doctype = Doctype::none) {

@@ -27,7 +27,7 @@ RoomWall wallNamed(const std::string& name, int line) {
 
 const ReadCorners kCorners{{-2, 0, -1}, {2, 0, -1}, {-2, 3, -1}};
 
-std::vector<std::string> saidOf(const Room& room) {
+std::vector<std::string> saidWithKinds(const Room& room) {
   std::vector<std::string> said;
   for (const Finding& finding : room.findings)
     said.push_back(fmt::format("{} {}: {}", finding.kind == Finding::Kind::error ? 'E' : 'W', finding.at.line,
@@ -50,7 +50,7 @@ TEST(RoomParts, WallsHaveNamesOfTheirOwnAndPixels) {
   EXPECT_EQ(room.walls[1].wall.name, "front-2");
   EXPECT_EQ(room.walls[1].wall.upperLeft_m, glm::dvec3(-2, 3, -1));
   EXPECT_EQ(room.walls[2].wall.pixels, glm::ivec2(1440, 1080)) << "4 × 3 m";
-  const Said said = saidOf(room);
+  const Said said = saidWithKinds(room);
   ASSERT_EQ(said.size(), 3u);
   EXPECT_EQ(said[0],
             "W 5: the name 'front' is that of the wall of line 3, too: this one is called 'front-2'");
@@ -78,7 +78,7 @@ TEST(RoomParts, PartsOfAWindowAreCutAtItsEdgesAndLieApart) {
   EXPECT_EQ(right.wall.viewport->size_px, glm::ivec2(500, 300));
   EXPECT_EQ(right.wall.pixels, glm::ivec2(500, 300));
   ASSERT_EQ(room.findings.size(), 1u);
-  EXPECT_NE(saidOf(room)[0].find("W 2: this part of 600 × 310 pixels at (300, -10) reaches out"),
+  EXPECT_NE(saidWithKinds(room)[0].find("W 2: this part of 600 × 310 pixels at (300, -10) reaches out"),
             std::string::npos);
   addWall(left, kCorners, room);
   addWall(right, kCorners, room);
@@ -105,7 +105,7 @@ TEST(RoomParts, RanksFollowTheOrderInWhichTheyAreAskedFor) {
   EXPECT_EQ(room.nodes[2].rank, 2);
   EXPECT_EQ(room.nodes[2].slots, 2);
   ASSERT_EQ(room.findings.size(), 1u);
-  EXPECT_NE(saidOf(room)[0].find("W 6: 'no host' is no name of a computer"), std::string::npos);
+  EXPECT_NE(saidWithKinds(room)[0].find("W 6: 'no host' is no name of a computer"), std::string::npos);
 }
 
 TEST(RoomParts, TrackersAreThereOnce) {
@@ -119,7 +119,7 @@ TEST(RoomParts, TrackersAreThereOnce) {
   EXPECT_EQ(room.trackers[2].source, "shm://4126?wand=4127");
   EXPECT_EQ(addDtrack("art", 5000, {}, {5, 1}, room), 3u);
   EXPECT_FALSE(addDtrack("art", 99999, {}, {6, 1}, room));
-  const Said said = saidOf(room);
+  const Said said = saidWithKinds(room);
   ASSERT_EQ(said.size(), 3u);
   EXPECT_EQ(said[0],
             "W 2: tracker 'wand' is the one that is called 'head' here, whose place in the room counts");

@@ -19,12 +19,11 @@ namespace {
 
 using test::Fault;
 using test::kHead;
+using test::kRounding;
 using test::numberText;
 using test::read;
 using test::ScenarioFaults;
 using test::TemporaryFolder;
-
-constexpr double kRounding = 1e-12;  // of metres and seconds of order one
 
 // A scripted body: where it was is compared with a walk along its legs from the told event in small steps.
 class ScriptedBodyTest : public ::testing::TestWithParam<double> {

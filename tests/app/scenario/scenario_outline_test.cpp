@@ -23,35 +23,19 @@ std::string shaped(const std::string& lines) {
   return kHead + "[[puck]]\n" + lines + "name = 'a'\nmass_kg = 2\nposition_m = [0, 0]\nbeta = [0, 0]\n";
 }
 
-const std::string kBar = "outline_m = [[-0.3, -0.1], [0.3, -0.1], [0.3, 0.1], [-0.3, 0.1]]\n";
+const std::string kBarOutline = "outline_m = [[-0.3, -0.1], [0.3, -0.1], [0.3, 0.1], [-0.3, 0.1]]\n";
 
 // An even rectangle of half sides a and b has the moment m (a² + b²)/3, which is a third of m times the
 // square of its farthest corner's distance.
 TEST(Scenario, AnOutlineGivesItsRadiusAndTheInertiaOfAnEvenPlate) {
-  const Puck bar = read(shaped(kBar)).billiard.pucks.at(0);
+  const Puck bar = read(shaped(kBarOutline)).billiard.pucks.at(0);
   ASSERT_EQ(bar.outline_m.size(), 4u);
   EXPECT_EQ(bar.outline_m[1], Vec2(0.3, -0.1));
   EXPECT_NEAR(bar.radius_m, std::sqrt(0.1), 1e-12);
   EXPECT_NEAR(bar.inertia, 1.0 / 3.0, 1e-12);
-  EXPECT_EQ(read(shaped(kBar + "inertia = 0.7\n")).billiard.pucks.at(0).inertia, 0.7)
+  EXPECT_EQ(read(shaped(kBarOutline + "inertia = 0.7\n")).billiard.pucks.at(0).inertia, 0.7)
       << "what the file says stands";
   EXPECT_TRUE(read(shaped("radius_m = 0.2\n")).billiard.pucks.at(0).outline_m.empty());
-}
-
-// A mesh is as large as its radius says, whatever its own units, and its footprint is what collides.
-TEST(Scenario, AMeshMayBeTheOutline) {
-  const test::TemporaryFolder folder;
-  folder.file("box.obj",
-              "v -30 -10 0\nv 30 -10 0\nv 30 10 0\nv -30 10 0\nv -30 -10 5\nv 30 -10 5\nv 30 10 5\n"
-              "v -30 10 5\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-  const Scenario scenario =
-      readScenario(folder.file("given.toml", shaped("outline = 'mesh'\nmesh = 'box.obj'\nradius_m = 0.4\n")));
-  const Puck& puck = scenario.billiard.pucks.at(0);
-  EXPECT_NEAR(puck.radius_m, 0.4, 1e-12);
-  ASSERT_TRUE(scenario.puckMeshes.at(0)->place);
-  EXPECT_NEAR(scenario.puckMeshes[0]->place->scale * std::hypot(30.0, 10.0), 0.4, 0.02 * 0.4)
-      << "the footprint lies around the mesh, by a small share of the radius";
-  EXPECT_TRUE(scenario.puckMeshes[0]->isInOnePiece);
 }
 
 TEST(Scenario, FindsAnOutlineWhoseCentreOfMassIsElsewhere) {
@@ -59,14 +43,14 @@ TEST(Scenario, FindsAnOutlineWhoseCentreOfMassIsElsewhere) {
   ASSERT_EQ(odd.odd.size(), 1u);
   EXPECT_EQ(odd.odd[0].at.line, 3);
   EXPECT_NE(odd.odd[0].text.find("of puck 'a' is at (0.1, "), std::string::npos) << odd.odd[0].text;
-  EXPECT_TRUE(read(shaped(kBar)).odd.empty());
+  EXPECT_TRUE(read(shaped(kBarOutline)).odd.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Outlines, ScenarioFaults,
-    ::testing::Values(Fault{"radius beside corners", shaped(kBar + "radius_m = 1\n"), 4, 12,
+    ::testing::Values(Fault{"radius beside corners", shaped(kBarOutline + "radius_m = 1\n"), 4, 12,
                             "stands beside outline_m"},
-                      Fault{"outline beside corners", shaped(kBar + "outline = 'mesh'\n"), 4, 11,
+                      Fault{"outline beside corners", shaped(kBarOutline + "outline = 'mesh'\n"), 4, 11,
                             "stands beside outline_m"},
                       Fault{"outline without a mesh", shaped("outline = 'mesh'\nradius_m = 1\n"), 3, 11,
                             "puck 'a' has no mesh, expected mesh = a file"},

@@ -13,10 +13,9 @@
 namespace carom {
 namespace {
 
+using test::kRounding;
 using test::puckText;
 using test::read;
-
-constexpr double kRounding = 1e-12;  // of metres and seconds of order one
 
 TEST(Scenario, ReadsTheThreePucks) {
   const Scenario scenario = readScenario(CAROM_CONFIG_DIR "/scenarios/three-pucks.toml");

@@ -13,6 +13,8 @@
 
 namespace carom::test {
 
+inline constexpr double kRounding = 1e-12;  // of metres and seconds of order one
+
 inline Scenario read(const std::string& text) {
   const TemporaryFolder folder;
   return readScenario(folder.file("given.toml", text));

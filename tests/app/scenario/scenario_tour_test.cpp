@@ -6,22 +6,18 @@
 #include <algorithm>
 #include <string>
 
-#include "app/scenario/scenario.h"
-#include "app/temporary_folder.h"
+#include "app/scenario/scenario_text.h"
 #include "app/toml/toml_file.h"
 
 namespace carom {
 namespace {
 
-Scenario read(const std::string& text) {
-  const test::TemporaryFolder folder;
-  return readScenario(folder.file("given.toml", "light_speed_m_s = 1.42\n" + text));
-}
+Scenario scenarioWith(const std::string& text) { return test::read("light_speed_m_s = 1.42\n" + text); }
 
 /// What the person is told; empty: nothing is wrong.
 std::string faultOf(const std::string& text) {
   try {
-    read(text);
+    scenarioWith(text);
   } catch (const InputErrors& errors) {
     return errors.what();
   }
@@ -29,7 +25,7 @@ std::string faultOf(const std::string& text) {
 }
 
 TEST(TourFile, LegsFollowEachOtherUnlessTheySayWhen) {
-  const Scenario scenario = read(
+  const Scenario scenario = scenarioWith(
       "[tour]\nstarts = 'at once'\n[[tour.leg]]\nfor_s = 2\nthrust_m_s2 = [0, 0.5, 0]\n"
       "[[tour.leg]]\nfor_s = 1\nthrust_m_s2 = [0.5, 0, 0]\n"
       "[[tour.leg]]\nfrom_s = 4\nfor_s = 1\nthrust_m_s2 = [0, 0, 0.1]\n");
@@ -39,8 +35,8 @@ TEST(TourFile, LegsFollowEachOtherUnlessTheySayWhen) {
   EXPECT_EQ(scenario.tour[1].from_s, 2.0);
   EXPECT_EQ(scenario.tour[1].thrust_m_s2, Vec3(0.5, 0.0, 0.0));
   EXPECT_EQ(scenario.tour[2].from_s, 4.0);
-  EXPECT_FALSE(read("[tour]\n[[tour.leg]]\nfor_s = 2\nthrust_m_s2 = [0, 0.5, 0]\n").tourAtOnce);
-  EXPECT_TRUE(read("").tour.empty());
+  EXPECT_FALSE(scenarioWith("[tour]\n[[tour.leg]]\nfor_s = 2\nthrust_m_s2 = [0, 0.5, 0]\n").tourAtOnce);
+  EXPECT_TRUE(scenarioWith("").tour.empty());
 }
 
 TEST(TourFile, SaysWhatItRefuses) {
@@ -75,8 +71,8 @@ TEST(TourFile, AMissingTimeIsOneFault) {
       "thrust_m_s2 = [0, 0, 0]\n");
   EXPECT_NE(legs.find("for_s is missing"), std::string::npos);
   EXPECT_EQ(linesOf(legs), 1) << legs;
-  const Scenario shown =
-      read("[[caption]]\nfor_s = 1\ntext = 'Look'\ncolour = true\n[[caption]]\nfor_s = 1\ntext = 'Listen'\n");
+  const Scenario shown = scenarioWith(
+      "[[caption]]\nfor_s = 1\ntext = 'Look'\ncolour = true\n[[caption]]\nfor_s = 1\ntext = 'Listen'\n");
   EXPECT_TRUE(shown.captions.at(0).colour);
   EXPECT_FALSE(shown.captions.at(1).colour);
   const std::string captions =

@@ -19,8 +19,6 @@
 namespace carom {
 namespace {
 
-constexpr double kEyes_m = 1.7;  // of a person who stands
-
 /// Where a puck is before it has met anything, and without strokes.
 Vec2 before_m(const Scenario& scenario, const Puck& puck, double t_s) {
   return puck.position_m + scenario.billiard.lightSpeed_m_s * t_s * puck.beta;
@@ -28,7 +26,7 @@ Vec2 before_m(const Scenario& scenario, const Puck& puck, double t_s) {
 
 /// The time of the light that a standing person sees first: c (t_eye − t) = |r(t) − r_eye|, by bisection.
 double firstSeen_s(const Scenario& scenario, const Puck& puck) {
-  const Vec3 eye_m = scenario.observer.position_m + Vec3(0.0, 0.0, kEyes_m);
+  const Vec3 eye_m = scenario.observer.position_m + Vec3(0.0, 0.0, 1.7);  // of a person who stands
   const double begins_s = scenario.lesson ? scenario.lesson->plan.interval.from_s : 0.0;
   double early_s = begins_s - 100.0, late_s = begins_s;
   for (int step = 0; step < 80; ++step) {

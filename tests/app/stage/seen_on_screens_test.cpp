@@ -35,7 +35,7 @@ namespace {
 
 using namespace test;
 
-constexpr double kPlayed_s = 6.0, kShift_px = 0.75;
+constexpr double kShift_px = 0.75;
 constexpr int kReference_px = 1500;  // of a flat wall of 90 degrees: about three of a window's pixel
 
 /// A wall that is not flat, and the direction that each place of its window shows to an eye; zero: none.
@@ -149,7 +149,7 @@ class SeenOnScreens : public ::testing::Test {
       : scenario_(readScenario(CAROM_CONFIG_DIR "/scenarios/three-pucks.toml")),
         scene_(sceneOf(scenario_, {0.001, 1000})) {
     Billiard billiard(scenario_.billiard);
-    billiard.advanceTo(kPlayed_s);
+    billiard.advanceTo(6.0);
     std::vector<WorldLine> lines;
     for (const SeenBody& body : seenBodies(scenario_, billiard.worldLines())) lines.push_back(body.worldLine);
     world_.histories = reachingTo(lines, scene_.reach_m);

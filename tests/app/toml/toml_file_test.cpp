@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "app/repeated_text.h"
 #include "app/temporary_folder.h"
 
 namespace carom {
 namespace {
 
 using namespace declare;
+using test::repeated;
 using test::TemporaryFolder;
 
 using Keys = std::vector<FileKey>;
@@ -160,13 +162,6 @@ TEST(TomlFile, RefusesMissingFilesAndFolders) {
   const TemporaryFolder folder;
   EXPECT_THROW(TomlFile(folder / "absent.toml", kNoKeys), InputErrors);
   EXPECT_THROW(TomlFile(folder / ".", kNoKeys), InputErrors);
-}
-
-/// Returns `text` `count` times.
-std::string repeated(const std::string& text, std::size_t count) {
-  std::string all;
-  for (std::size_t i = 0; i < count; ++i) all += text;
-  return all;
 }
 
 TEST(TomlFile, RefusesDeepNestingBeforeTheParserRecurses) {

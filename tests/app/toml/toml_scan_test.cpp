@@ -8,14 +8,12 @@
 #include <tuple>
 #include <vector>
 
+#include "app/repeated_text.h"
+
 namespace carom {
 namespace {
 
-std::string repeated(const std::string& text, std::size_t count) {
-  std::string all;
-  for (std::size_t i = 0; i < count; ++i) all += text;
-  return all;
-}
+using test::repeated;
 
 /// "LINE:COLUMN" of the fault; empty if there is none.
 std::string placeOfFault(const std::string& text) {

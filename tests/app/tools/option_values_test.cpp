@@ -30,7 +30,8 @@ TEST(OptionValues, ANumberIsOneWithinItsRange) {
     range.above = above;
     const CLI::Validator validator = numberIn(range, "0 to 2.5");
     for (const char* right : {"2.5", "+1", "1e-3", "0.5"}) EXPECT_EQ(saidOf(validator, right), "") << right;
-    for (const std::string wrong : {"2.6", "-0.1", "1,5", "1 ", " 1", "", "one", "nan", "inf", "1e999"})
+    for (const std::string wrong :
+         {"2.6", "-0.1", "1,5", "1 ", " 1", "", "+-1", "-+1", "++1", "one", "nan", "inf", "1e999"})
       EXPECT_EQ(saidOf(validator, wrong), "'" + wrong + "' is wrong, expected 0 to 2.5");
     EXPECT_EQ(saidOf(validator, "0").empty(), !above) << "the least itself";
   }

@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "app/program.h"
-#include "places.h"
 
 namespace carom {
 namespace {
 
+using test::kThreePucks;
 using test::runCarom;
 using test::TemporaryFolder;
-
-const std::string kThreePucks = CAROM_CONFIG_DIR "/scenarios/three-pucks.toml";
 
 TEST(Options, HelpTeaches) {
   const TemporaryFolder folder;
@@ -86,10 +84,10 @@ TEST(Options, BadInputEndsWithOneAndWritesNothing) {
   const TemporaryFolder folder;
   const std::string bad =
       folder.file("bad.toml", "light_speed_m_s = 1.42\n[board]\nlength_m = 2.84\nwidth = 1.42\n");
-  const std::string json = folder / "out.json";
+  const std::string out = folder / "out.json";
   const std::vector<std::vector<std::string>> commands{
-      {"simulate", bad, "--until", "1", "--json", json},
-      {"observe", bad, "--event", "0", "0", "0", "0", "--json", json},
+      {"simulate", bad, "--until", "1", "--json", out},
+      {"observe", bad, "--event", "0", "0", "0", "0", "--json", out},
       {"check", bad},
   };
   for (const auto& arguments : commands) {

@@ -103,7 +103,7 @@ TEST(SimulateSpin, RoughRimsKickAsExactCasesSay) {
   }
 }
 
-const std::string kDisc =
+const std::string kDiscLines =
     "name = \"disc\"\nradius_m = 0.03\nheight_m = 0.02\nmass_kg = 0.2\nposition_m = [-0.3, 0.1]\nbeta = "
     "[0.6, "
     "0.2]\n";
@@ -113,7 +113,7 @@ TEST(SimulateSpin, SaysSpinsAnglesAndRestMasses) {
   const TemporaryFolder folder;
   const double c = 1.42, R = 0.03, m = 0.2, omega = -30.0;
   const double f = omega * R / c, j = 0.5 * m * f / std::sqrt(1.0 - f * f);
-  const std::string head = "light_speed_m_s = 1.42\n[[puck]]\n" + kDisc;
+  const std::string head = "light_speed_m_s = 1.42\n[[puck]]\n" + kDiscLines;
   const json byRate =
       answerOf(folder, "simulate", head + "spin_rad_s = -30\n", {"--until", "2", "--every", "1"});
   const json& puck = byRate["pucks"][0];
@@ -138,7 +138,7 @@ TEST(SimulateSpin, SaysSpinsAnglesAndRestMasses) {
 TEST(SimulateSpin, PointsOfPucksAreSeenAsThoseOfToldBodies) {
   const TemporaryFolder folder;
   const std::string scenario =
-      "light_speed_m_s = 1.42\n[[puck]]\n" + kDisc +
+      "light_speed_m_s = 1.42\n[[puck]]\n" + kDiscLines +
       "spin_rad_s = 42\n[[body]]\nname = \"told\"\nat = { t_s = 0, r_m = [-0.3, 0.1, 0.01] }\nspin_rad_s = "
       "42\n[[body.leg]]\nbeta = [0.6, 0.2, 0]\n";
   const json found = answerOf(folder, "observe", scenario,
@@ -167,7 +167,7 @@ TEST(SimulateSpin, PointsGoOnThroughBouncesAndGlides) {
     const std::string scenario =
         "light_speed_m_s = 1.42\n[board]\nlength_m = 1.0\nwidth_m = 1.0\n[physics]\n"
         "friction_m_s2 = " +
-        friction + "\ncushion_friction = 0.3\nspin_deceleration_m_s2 = 0.7\n[[puck]]\n" + kDisc +
+        friction + "\ncushion_friction = 0.3\nspin_deceleration_m_s2 = 0.7\n[[puck]]\n" + kDiscLines +
         "spin_rad_s = 40\n";
     const auto see = [&](double t_s) {
       const json point = answerOf(folder, "observe", scenario,
@@ -202,7 +202,7 @@ TEST(SimulateSpin, CheckSaysWhatIsOdd) {
   const TemporaryFolder folder;
   const std::string file =
       folder.file("odd.toml", "light_speed_m_s = 1.42\n[physics]\ntangential_restitution = 0.5\n[[puck]]\n" +
-                                  kDisc + "spin_rad_s = 47.1\n");
+                                  kDiscLines + "spin_rad_s = 47.1\n");
   const auto result = runCarom(folder, {"check", file});
   EXPECT_EQ(result.status, 0);
   for (const char* words : {":3:26: tangential_restitution does nothing", ":11:14: the rim of puck 'disc'"})
@@ -213,9 +213,9 @@ TEST(SimulateSpin, CheckSaysWhatIsOdd) {
 // A value that is no number is one fault.
 TEST(SimulateSpin, CheckNamesASpinThatIsNoNumberOnce) {
   const TemporaryFolder folder;
-  const auto result = runCarom(
-      folder, {"check",
-               folder.file("odd.toml", "light_speed_m_s = 1.42\n[[puck]]\n" + kDisc + "spin_rad_s = nan\n")});
+  const auto result =
+      runCarom(folder, {"check", folder.file("odd.toml", "light_speed_m_s = 1.42\n[[puck]]\n" + kDiscLines +
+                                                             "spin_rad_s = nan\n")});
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(result.err.find("error:"), result.err.rfind("error:")) << result.err;
 }

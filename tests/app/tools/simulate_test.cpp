@@ -11,7 +11,6 @@
 #include "app/program.h"
 #include "app/scenario/scenario.h"
 #include "exact_cases.h"
-#include "places.h"
 
 namespace carom {
 namespace {
@@ -20,10 +19,9 @@ using nlohmann::json;
 using test::answerOf;
 using test::exact;
 using test::exactCases;
+using test::kThreePucks;
 using test::runCarom;
 using test::TemporaryFolder;
-
-const std::string kThreePucks = CAROM_CONFIG_DIR "/scenarios/three-pucks.toml";
 
 std::string vectorText(double x, double y) { return "[" + exact(x) + ", " + exact(y) + "]"; }
 

@@ -13,7 +13,7 @@ namespace {
 using test::runCarom;
 using test::TemporaryFolder;
 
-std::string rigWith(const std::string& trackers) {
+std::string rigTracking(const std::string& trackers) {
   return "unit = \"m\"\naxes = \"x-right y-up z-back\"\n[head]\ntracker = \"one\"\n" + trackers +
          "[[wall]]\nname = \"front\"\nlower_left = [-1, 0, -1]\nlower_right = [1, 0, -1]\nupper_left = [-1, "
          "2, -1]\n"
@@ -29,7 +29,7 @@ TEST(Traces, EveryFaultIsNamedByCheck) {
   const std::string one = folder.file("one.csv", "time_s,x_m,y_m,z_m\n0.0,0,1.7,0\n0.1,0,nan,0\n");
   const std::string two = folder.file("two.csv", "time,x\n");
   const std::string rig =
-      folder.file("rig.toml", rigWith(recorded("one", "one.csv") + recorded("two", "two.csv")));
+      folder.file("rig.toml", rigTracking(recorded("one", "one.csv") + recorded("two", "two.csv")));
   const auto result = runCarom(folder, {"check", rig});
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.err.find("error: " + one + ":3:7: "), std::string::npos) << result.err;
@@ -39,7 +39,7 @@ TEST(Traces, EveryFaultIsNamedByCheck) {
 TEST(Traces, WholeOnesPass) {
   const TemporaryFolder folder;
   folder.file("one.csv", "time_s,x_m,y_m,z_m\n0.0,0,1.7,0\n0.1,0,1.7,0\n");
-  const std::string rig = folder.file("rig.toml", rigWith(recorded("one", "one.csv")));
+  const std::string rig = folder.file("rig.toml", rigTracking(recorded("one", "one.csv")));
   EXPECT_NO_THROW(openTraces(readRig(rig)));
   const auto result = runCarom(folder, {"check", rig});
   EXPECT_EQ(result.status, 0) << result.err;

@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-constexpr double kHz = 60.0, kStep_s = 1.0 / kHz, kEyes_m = 1.7;
+constexpr double kStep_s = 1.0 / 60.0, kEyes_m = 1.7;
 
 /// Anna and Ben, sensors 0 and 1 of the first tracker of the desk for two.
 class SharedTracker : public testing::Test {

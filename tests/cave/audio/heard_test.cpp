@@ -6,18 +6,17 @@
 #include <cmath>
 #include <map>
 
+#include "cave/one_eye.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr Switches kNow{0, 1, 1, 0, 0};  // without retardation
+using test::kC_m_s;
+using test::observerAt;
 
-ObserverView observerAt(const Event& head, const Lorentz& headFromBoard = Lorentz(kC_m_s)) {
-  const EyeView eye{head, Vec3(0.0), Vec3(0.0)};
-  return {headFromBoard, eye, eye, eye, 0.0};
-}
+constexpr Switches kNow{0, 1, 1, 0, 0};  // without retardation
 
 GameEvent bounceAt(const Event& at, std::uint64_t number, double beta = 0.6) {
   GameEvent event;

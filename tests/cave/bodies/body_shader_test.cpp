@@ -20,12 +20,14 @@
 #include "engine/colour_reference.h"
 #include "engine/light/light_cone.h"
 #include "engine/light/mesh_emission.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
+
 constexpr std::array<Vec3, 3> kLamps_m{{{-1.0, 0.1, 1.4}, {0.1, 0.2, 1.5}, {0.9, -0.1, 1.3}}};
 constexpr double kRoughness = 0.3;
 constexpr float kSeenShare = 0.8F;  // of all light; results are given for 1

@@ -13,14 +13,14 @@
 #include "cave/bodies/visible_chunks.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/light/light_cone.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
+using test::kC_m_s;
 using test::Random;
-
-constexpr double kC_m_s = 1.42;
 
 /// Where an eye sees a place of a puck.
 struct Seen {

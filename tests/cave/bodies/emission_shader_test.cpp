@@ -12,12 +12,14 @@
 #include "cave/display/window.h"
 #include "cave/gl/gl_objects.h"
 #include "engine/light/light_cone.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
+
 // Error allowed, as a share of the distance (the larger of that in the head frame and that in the body frame,
 // since a fast observer sees far things near): 10 µm at 5 m.
 constexpr double kOfDistance = 2e-6;

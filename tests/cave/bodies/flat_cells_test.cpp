@@ -9,21 +9,19 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
+
 constexpr double kLargest_rad = 5e-4;  // of angles that are small enough to be drawn
 
 /// Where light shows a place at rest on the board, from the eye.
 Vec3 seen(const Lorentz& headFromBoard, const Vec3& fromEye_m) {
   return (headFromBoard * Displacement{-glm::length(fromEye_m) / kC_m_s, fromEye_m}).dr_m;
-}
-
-double angleBetween(const Vec3& a, const Vec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 // The middle of an edge that is drawn straight is off by no more than the square of the edge's length over
@@ -43,8 +41,9 @@ TEST(FlatCells, EdgesAreOffByNoMoreThanTheirLengthSays) {
     for (int edge = 0; edge < 20; ++edge) {
       const Vec3 from_m = middle_m + random.inBox(half_m) - eye_m,
                  to_m = middle_m + random.inBox(half_m) - eye_m;
-      const Vec3 straight = 0.5 * (seen(headFromBoard, from_m) + seen(headFromBoard, to_m));
-      const double off_rad = angleBetween(straight, seen(headFromBoard, 0.5 * (from_m + to_m)));
+      const Vec3 straight = 0.5 * (seen(headFromBoard, from_m) + seen(headFromBoard, to_m)),
+                 exact = seen(headFromBoard, 0.5 * (from_m + to_m));
+      const double off_rad = std::atan2(glm::length(glm::cross(straight, exact)), glm::dot(straight, exact));
       const double share = glm::distance(from_m, to_m) / longest_m, allowed_rad = share * share;
       if (allowed_rad > kLargest_rad) continue;
       EXPECT_LE(off_rad, 1.05 * allowed_rad + 1e-9);

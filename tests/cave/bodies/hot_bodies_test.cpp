@@ -9,12 +9,14 @@
 #include "cave/frame/bodies.h"
 #include "engine/billiard/billiard.h"
 #include "engine/collision/kick.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
+
 constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
 // The sum of the heats of random kicks, against what each puck has of them.

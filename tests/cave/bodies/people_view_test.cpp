@@ -8,12 +8,13 @@
 #include "cave/marks/spacetime_marks.h"
 #include "cave/scene/person_model.h"
 #include "cave/scene/scene_builder.h"
+#include "engine/light_speed.h"
 #include "engine/linked/told.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 struct PeopleView : testing::Test {
   PeopleView() {

@@ -16,14 +16,15 @@
 #include "cave/mesh/tessellation.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/light/light_cone.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
+using test::kC_m_s;
 using test::Random;
 
-constexpr double kC_m_s = 1.42;
 constexpr double kHalfPixel_rad = 0.0005;
 
 /// A table in its hall, of which everything is chosen.

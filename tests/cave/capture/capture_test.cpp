@@ -1,7 +1,6 @@
 #include "cave/capture/capture.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
@@ -13,6 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "app/temporary_folder.h"
 #include "cave/display/window.h"
 #include "cave/pictures/image.h"
 
@@ -21,21 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, gone with the test.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("carom_capture_test_" + std::to_string(getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-};
-
 TEST(Capture, NamesAreWallEyeFrame) {
   EXPECT_EQ(capturePath("out", "front", Eye::left, 7), fs::path("out/front-left-000007.png"));
   EXPECT_EQ(capturePath("out", "floor", Eye::middle, 1234567), fs::path("out/floor-mono-1234567.png"));
 }
 
 TEST(Capture, AWrittenPngReadsBackTheSame) {
-  const Folder folder;
-  const fs::path path = folder.path / "front-right-000000.png";
+  const test::TemporaryFolder folder;
+  const fs::path path = folder / "front-right-000000.png";
   Image image{{3, 2}, {}};
   for (int i = 0; i < 18; ++i) image.rgb.push_back(static_cast<std::uint8_t>(i * 14));
   writePng(image, path);
@@ -44,12 +37,12 @@ TEST(Capture, AWrittenPngReadsBackTheSame) {
   reader->Update();
   const auto* pixels = static_cast<const std::uint8_t*>(reader->GetOutput()->GetScalarPointer());
   for (std::size_t i = 0; i < 18; ++i) EXPECT_EQ(pixels[i], image.rgb[i]) << i;
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1) << "nothing else is left behind";
+  EXPECT_EQ(folder.entries(), 1) << "nothing else is left behind";
 }
 
 TEST(Capture, SeveralMayWriteTheSameFile) {
-  const Folder folder;
-  const fs::path path = folder.path / "front-left-000000.png", expected = folder.path / "expected.png";
+  const test::TemporaryFolder folder;
+  const fs::path path = folder / "front-left-000000.png", expected = folder / "expected.png";
   const Image image{{200, 100}, std::vector<std::uint8_t>(60000, 77)};
   writePng(image, expected);
   std::atomic<int> failures = 0;
@@ -71,7 +64,7 @@ TEST(Capture, SeveralMayWriteTheSameFile) {
   std::ifstream written(path, std::ios::binary), whole(expected, std::ios::binary);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}),
             std::string(std::istreambuf_iterator<char>(whole), {}));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 2) << "nothing else is left behind";
+  EXPECT_EQ(folder.entries(), 2) << "nothing else is left behind";
 }
 
 TEST(Capture, AFolderThatIsNotThereIsNamed) {
@@ -134,11 +127,11 @@ TEST(Capture, AViewThatIsResizedKeepsNoBuffersOfItsOldSizes) {
 }
 
 TEST(Capture, WhatIsCapturedOnTheWayIsWhatWasDrawnThen) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Graphics graphics;
   RenderTarget left({61, 33}), right({40, 40});
   const std::string wall = "front";
-  Capture capture(folder.path, WhenFull::wait);
+  Capture capture(folder / "", WhenFull::wait);
   constexpr std::uint64_t kFrames = 60;  // more than the queue holds
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
     paint(left, frame, 0);
@@ -148,24 +141,24 @@ TEST(Capture, WhatIsCapturedOnTheWayIsWhatWasDrawnThen) {
   }
   capture.finish();
   EXPECT_EQ(capture.dropped(), 0U);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 2 * static_cast<std::ptrdiff_t>(kFrames));
-  const fs::path expected = folder.path / "expected";
+  EXPECT_EQ(folder.entries(), 2 * static_cast<std::ptrdiff_t>(kFrames));
+  const fs::path expected = folder / "expected";
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
     paint(left, frame, 0);
     paint(right, frame, 1);
     writePng(readBack(left), expected);
-    EXPECT_EQ(bytesOf(capturePath(folder.path, wall, Eye::left, frame)), bytesOf(expected)) << frame;
+    EXPECT_EQ(bytesOf(capturePath(folder / "", wall, Eye::left, frame)), bytesOf(expected)) << frame;
     writePng(readBack(right), expected);
-    EXPECT_EQ(bytesOf(capturePath(folder.path, wall, Eye::right, frame)), bytesOf(expected)) << frame;
+    EXPECT_EQ(bytesOf(capturePath(folder / "", wall, Eye::right, frame)), bytesOf(expected)) << frame;
   }
 }
 
 TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Graphics graphics;
   RenderTarget large({1500, 1500});
   const std::string wall = "front", outside = "outside";
-  Capture capture(folder.path, WhenFull::drop);
+  Capture capture(folder / "", WhenFull::drop);
   constexpr std::uint64_t kFrames = 60;
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {  // each takes milliseconds to encode
     const std::vector<Capture::Taken> taken{{&large, &wall, Eye::left}, {&large, &wall, Eye::right}};
@@ -176,10 +169,10 @@ TEST(Capture, InRealTimeWhatComesTooFastIsLeftOutByFramesAndCounted) {
   EXPECT_GT(capture.dropped(), 0U);
   std::uint64_t whole = 0;
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
-    const bool there = fs::exists(capturePath(folder.path, wall, Eye::left, frame));
-    EXPECT_EQ(there, fs::exists(capturePath(folder.path, wall, Eye::right, frame)))
+    const bool there = fs::exists(capturePath(folder / "", wall, Eye::left, frame));
+    EXPECT_EQ(there, fs::exists(capturePath(folder / "", wall, Eye::right, frame)))
         << "half of frame " << frame;
-    EXPECT_EQ(there, fs::exists(capturePath(folder.path, outside, Eye::middle, frame)))
+    EXPECT_EQ(there, fs::exists(capturePath(folder / "", outside, Eye::middle, frame)))
         << "half of frame " << frame;
     whole += there;
   }

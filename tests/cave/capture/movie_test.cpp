@@ -1,7 +1,6 @@
 #include "cave/capture/movie.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <vtk_glew.h>
 
 #include <array>
@@ -9,10 +8,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 
+#include "app/temporary_folder.h"
 #include "cave/display/window.h"
 #include "cave/screen/curved_screen.h"
 
@@ -20,13 +19,6 @@ namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own, gone with the test.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("carom_movie_test_" + std::to_string(getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-};
 
 /// What a command writes on its standard output.
 std::string outputOf(const std::string& command) {
@@ -116,12 +108,12 @@ TEST(Movie, WallsStandInARowOrAsInTheWindow) {
 
 TEST(Movie, EveryFrameIsThereAndLooksAsItWasDrawn) {
   constexpr double kAlike_dB = 30.0;  // what a lossy movie of good quality reaches
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Graphics graphics;
   for (const char* name : {"walls.mp4", "walls.webm", "walls.ogv"}) {
-    const fs::path file = folder.path / name;
+    const fs::path file = folder / name;
     film(file, 12);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1) << "nothing else is left behind";
+    EXPECT_EQ(folder.entries(), 1) << "nothing else is left behind";
     EXPECT_EQ(outputOf("ffprobe -loglevel error -count_frames -select_streams v:0 -show_entries "
                        "stream=width,height,r_frame_rate,nb_read_frames -of csv=p=0 '" +
                        file.string() + "'"),
@@ -167,7 +159,7 @@ std::string projectionOf(const fs::path& file, const std::vector<Wall>& walls) {
 
 // As read by another program: the projection, and for two eyes where the second one's picture is.
 TEST(Movie, AMovieOfAllDirectionsSaysSoToPlayers) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Graphics graphics;
   const auto screenOf = [](SkyKind kind) {
     auto screen = std::make_shared<CurvedScreen>();
@@ -182,20 +174,20 @@ TEST(Movie, AMovieOfAllDirectionsSaysSoToPlayers) {
   left.stereo = StereoMode::left;
   right.stereo = StereoMode::right;
   right.window.position_px = {0, 64};
-  EXPECT_EQ(projectionOf(folder.path / "mono.mp4", {all}), "3 equirectangular ");
-  EXPECT_EQ(projectionOf(folder.path / "both.mp4", {left, right}), "3 top and bottom equirectangular ");
+  EXPECT_EQ(projectionOf(folder / "mono.mp4", {all}), "3 equirectangular ");
+  EXPECT_EQ(projectionOf(folder / "both.mp4", {left, right}), "3 top and bottom equirectangular ");
   Wall fisheye = all;
   fisheye.screen = screenOf(SkyKind::fisheye);
-  EXPECT_EQ(projectionOf(folder.path / "fisheye.mp4", {fisheye}), "3 ");
-  EXPECT_EQ(projectionOf(folder.path / "all.webm", {all}), "3 ");
-  std::ofstream(folder.path / "none.mp4") << "this is no movie";
-  EXPECT_THROW(markSpherical(folder.path / "none.mp4", Spherical::mono), std::runtime_error);
+  EXPECT_EQ(projectionOf(folder / "fisheye.mp4", {fisheye}), "3 ");
+  EXPECT_EQ(projectionOf(folder / "all.webm", {all}), "3 ");
+  std::ofstream(folder / "none.mp4") << "this is no movie";
+  EXPECT_THROW(markSpherical(folder / "none.mp4", Spherical::mono), std::runtime_error);
 }
 
 TEST(Movie, AFrameThatStaysIsThereAsOften) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Graphics graphics;
-  const fs::path file = folder.path / "stay.mp4";
+  const fs::path file = folder / "stay.mp4";
   const std::vector<Wall> walls{wallOf("a", {32, 32}, StereoMode::mono)};
   RenderTarget picture({32, 32});
   Movie movie(file, movieLayout(walls, false), 60.0, WhenFull::wait);
@@ -211,7 +203,7 @@ TEST(Movie, AFrameThatStaysIsThereAsOften) {
 }
 
 TEST(Movie, WhatIsWrongIsSaidAndNothingIsLeftBehind) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Graphics graphics;
   const MovieLayout layout = movieLayout(std::vector<Wall>{wallOf("a", {32, 32}, StereoMode::mono)}, false);
   const auto failureOf = [&](const fs::path& file) -> std::string {
@@ -224,20 +216,20 @@ TEST(Movie, WhatIsWrongIsSaidAndNothingIsLeftBehind) {
   };
   EXPECT_EQ(failureOf("/nowhere/at/all.mp4"), "movie /nowhere/at/all.mp4: No such file or directory");
 
-  EXPECT_EQ(failureOf(folder.path),
-            "movie " + folder.path.string() + ": it is a folder, expected the name of a file");
+  const fs::path place = (folder / "a.mp4").parent_path();
+  EXPECT_EQ(failureOf(place), "movie " + place.string() + ": it is a folder, expected the name of a file");
 
   const std::string path = std::getenv("PATH");
-  setenv("PATH", folder.path.c_str(), 1);
-  const std::string missing = failureOf(folder.path / "a.mp4");
+  setenv("PATH", place.c_str(), 1);
+  const std::string missing = failureOf(folder / "a.mp4");
   // One that ends at once, before it has read anything.
-  std::ofstream(folder.path / "ffmpeg") << "#!/bin/sh\nexit 3\n";
-  fs::permissions(folder.path / "ffmpeg", fs::perms::owner_all);
+  std::ofstream(folder / "ffmpeg") << "#!/bin/sh\nexit 3\n";
+  fs::permissions(folder / "ffmpeg", fs::perms::owner_all);
   RenderTarget picture({32, 32});
   const std::array<const RenderTarget*, 1> pictures{&picture};
   std::string ended;
   try {
-    Movie movie(folder.path / "b.mp4", layout, 60.0, WhenFull::wait);
+    Movie movie(folder / "b.mp4", layout, 60.0, WhenFull::wait);
     for (int frame = 0; frame < 200; ++frame) movie.add(frame / 60.0, pictures);
     movie.finish();
   } catch (const std::runtime_error& error) {
@@ -246,15 +238,15 @@ TEST(Movie, WhatIsWrongIsSaidAndNothingIsLeftBehind) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_NE(missing.find("ffmpeg, which encodes it, is not installed"), std::string::npos) << missing;
   EXPECT_NE(ended.find("ffmpeg"), std::string::npos) << ended;
-  { Movie unfinished(folder.path / "c.mp4", layout, 60.0, WhenFull::wait); }
-  fs::remove(folder.path / "ffmpeg");
-  EXPECT_TRUE(fs::is_empty(folder.path));
+  { Movie unfinished(folder / "c.mp4", layout, 60.0, WhenFull::wait); }
+  fs::remove(folder / "ffmpeg");
+  EXPECT_TRUE(fs::is_empty(place));
 }
 
 TEST(Movie, WhereItCannotHaveItsNameItStaysUnderTheOther) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Graphics graphics;
-  const fs::path file = folder.path / "taken.mp4";
+  const fs::path file = folder / "taken.mp4";
   RenderTarget picture({32, 32});
   const std::array<const RenderTarget*, 1> pictures{&picture};
   std::string said;

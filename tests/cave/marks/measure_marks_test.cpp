@@ -12,18 +12,16 @@
 #include <vector>
 
 #include "cave/gl/view_colours.h"
+#include "cave/one_eye.h"
 #include "cave/plate_words.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-
-ObserverView observerAt(const Event& head, const Lorentz& headFromBoard) {
-  const EyeView eye{head, Vec3(0.0), Vec3(0.0)};
-  return {headFromBoard, eye, eye, eye, 0.0};
-}
+using test::kC_m_s;
+using test::observerAt;
 
 bool isGlow(const MarkCorner& corner) { return corner.style < -0.5F; }
 bool isPlate(const MarkCorner& corner) { return corner.style > 0.5F; }

@@ -12,20 +12,19 @@
 #include <string>
 #include <vector>
 
+#include "cave/one_eye.h"
 #include "cave/plate_words.h"
 #include "engine/light/vertex_history.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr double kFloat_m = 1e-5;  // of places a few metres away, in single precision
+using test::kC_m_s;
+using test::observerAt;
 
-ObserverView observerAt(const Event& head, const Lorentz& headFromBoard) {
-  const EyeView eye{head, Vec3(0.0), Vec3(0.0)};
-  return {headFromBoard, eye, eye, eye, 0.0};
-}
+constexpr double kFloat_m = 1e-5;  // of places a few metres away, in single precision
 
 GameEvent flashAt(const Event& at) {
   GameEvent event;

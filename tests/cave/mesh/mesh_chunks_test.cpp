@@ -25,15 +25,15 @@ vtkSmartPointer<vtkPolyData> wavyPatch(int cells) {
   return builder.build();
 }
 
-using Corner = std::array<float, 9>;  // place, normal, data for painting
-using Corners = std::array<Corner, 3>;
+using CornerNumbers = std::array<float, 9>;  // place, normal, data for painting
+using TriangleNumbers = std::array<CornerNumbers, 3>;
 
-Corner cornerOf(const MeshVertex& v) {
+CornerNumbers cornerOf(const MeshVertex& v) {
   return {v.place_m.x, v.place_m.y, v.place_m.z, v.normal.x, v.normal.y,
           v.normal.z,  v.surface.x, v.surface.y, v.surface.z};
 }
 
-std::vector<Corners> sortedTriangles(std::vector<Corners> triangles) {
+std::vector<TriangleNumbers> sortedTriangles(std::vector<TriangleNumbers> triangles) {
   std::sort(triangles.begin(), triangles.end());
   return triangles;
 }
@@ -44,7 +44,7 @@ TEST(MeshChunks, EveryTriangleIsInOneChunkAndInItsSphere) {
   appendChunks(*wavyPatch(3), meshes);  // an earlier mesh must not mix with it
   const std::size_t before = meshes.chunks.size();
   appendChunks(*mesh, meshes);
-  std::vector<Corners> kept, given;
+  std::vector<TriangleNumbers> kept, given;
   std::uint32_t next = meshes.chunks[before].firstIndex;
   for (const MeshChunk& chunk : std::span(meshes.chunks).subspan(before)) {
     EXPECT_EQ(chunk.firstIndex, next);
@@ -53,7 +53,7 @@ TEST(MeshChunks, EveryTriangleIsInOneChunkAndInItsSphere) {
     EXPECT_GE(chunk.indexCount, 3 * kChunkTriangles / 2 - 3);
     EXPECT_LT(chunk.radius_m, 0.8) << "its triangles lie together";
     for (std::uint32_t i = 0; i < chunk.indexCount; i += 3) {
-      Corners corners;
+      TriangleNumbers corners;
       for (std::uint32_t k = 0; k < 3; ++k) {
         const MeshVertex& vertex = meshes.vertices[meshes.indices[chunk.firstIndex + i + k]];
         EXPECT_LE(glm::distance(glm::dvec3(vertex.place_m), chunk.middle_m), chunk.radius_m);
@@ -67,7 +67,7 @@ TEST(MeshChunks, EveryTriangleIsInOneChunkAndInItsSphere) {
     return glm::vec3(array.GetComponent(i, 0), array.GetComponent(i, 1), array.GetComponent(i, 2));
   };
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i) {
-    Corners corners;
+    TriangleNumbers corners;
     for (int k = 0; k < 3; ++k) {
       const vtkIdType id = mesh->GetCell(i)->GetPointId(k);
       corners[static_cast<std::size_t>(k)] =

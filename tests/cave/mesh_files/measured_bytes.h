@@ -15,6 +15,8 @@
 
 namespace carom::test {
 
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
 /// The place of a screen that a place of the window shows; NaN: none.
 using PlaceOf = std::function<glm::dvec3(const glm::dvec2& inWindow)>;
 

@@ -1,5 +1,5 @@
 #pragma once
-// What readers of measured files say is wrong with them.
+// Where measured files lie, and what readers of them say is wrong.
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,12 @@
 #include <glm/vec3.hpp>
 
 #include "cave/mesh_files/measured_bytes.h"
+#include "places.h"
 
 namespace carom::test {
+
+/// The folder of meshes that other programs wrote.
+inline const std::string kMeshes = CAROM_TESTS_DIR "/data/rooms/meshes/";
 
 /// A flat screen two metres before the room's origin.
 inline glm::dvec3 onPlane(const glm::dvec2& inWindow) { return {2.0 * inWindow.x - 1.0, inWindow.y, -2.0}; }

@@ -18,14 +18,12 @@
 #include "cave/warps/warp_formats.h"
 #include "engine/text/outside_file.h"
 #include "mutate.h"
-#include "places.h"
 
 namespace carom {
 namespace {
 
+using test::kMeshes;
 using test::onPlane;
-
-const std::string kMeshes = CAROM_TESTS_DIR "/data/rooms/meshes/";
 
 // What is taken of spoiled files can be drawn: every index exists, every number is near.
 TEST(MeasuredFiles, SpoiledOnesAreRefusedOrSound) {

@@ -18,9 +18,8 @@ namespace {
 
 using test::complaint;
 using test::expectSaid;
+using test::kNaN;
 using test::onPlane;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ScreenFiles, AnObjHasPlacesOfTheRoomAndOfTheWindow) {
   const ScreenMesh mesh = parseObjScreen(test::objText(3, 2, onPlane));

@@ -20,10 +20,9 @@ namespace {
 
 using test::complaint;
 using test::expectSaid;
+using test::kNaN;
 using test::onPlane;
 using test::with;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(VwfFiles, AScreenIsReadPackedOrNotAloneOrInAContainer) {
   const auto place = [](const glm::dvec2& at) { return at.x > 0.7 ? glm::dvec3(kNaN) : onPlane(at); };

@@ -44,7 +44,7 @@ TEST(MeshBuffers, BuffersAndPicturesAreNamedBesideTheMesh) {
   EXPECT_EQ(meshParts("/rooms/a.gltf", "glTF"), Paths());
 }
 
-std::string faultOf(const std::filesystem::path& mesh, const std::string& content) {
+std::string faultOfParts(const std::filesystem::path& mesh, const std::string& content) {
   try {
     checkMeshParts(mesh, content);
   } catch (const InputError& fault) {
@@ -62,7 +62,7 @@ TEST(MeshBuffers, PartsLieBelowTheFolderOfTheMesh) {
   folder.file("room/parts/inside.bin", "x");
   std::filesystem::create_symlink(folder / "outside.bin", folder / "room/link.bin");
   const auto said = [&](const std::string& uri) {
-    return faultOf(folder / "room/a.gltf", R"({"buffers":[{"uri":")" + uri + R"("}]})");
+    return faultOfParts(folder / "room/a.gltf", R"({"buffers":[{"uri":")" + uri + R"("}]})");
   };
   EXPECT_EQ(said("parts/inside.bin"), "nothing is wrong");
   EXPECT_EQ(said("parts/../parts/inside.bin"), "nothing is wrong");
@@ -79,10 +79,10 @@ TEST(MeshBuffers, WhatIsNestedTooDeepIsRefused) {
   const auto nested = [](std::size_t depth) {
     return "{\"x\":" + std::string(depth - 1, '[') + std::string(depth - 1, ']') + "}";
   };
-  EXPECT_EQ(faultOf("a.gltf", nested(64)), "nothing is wrong");
-  EXPECT_EQ(faultOf("a.gltf", nested(65)), "values are nested too deep, expected at most 64");
-  EXPECT_EQ(faultOf("a.gltf", nested(1000000)), "values are nested too deep, expected at most 64");
-  EXPECT_EQ(faultOf("a.obj", nested(65)), "nothing is wrong");
+  EXPECT_EQ(faultOfParts("a.gltf", nested(64)), "nothing is wrong");
+  EXPECT_EQ(faultOfParts("a.gltf", nested(65)), "values are nested too deep, expected at most 64");
+  EXPECT_EQ(faultOfParts("a.gltf", nested(1000000)), "values are nested too deep, expected at most 64");
+  EXPECT_EQ(faultOfParts("a.obj", nested(65)), "nothing is wrong");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class MeshFile {
 };
 
 /// What is wrong with it, behind the file's name; empty if nothing is.
-std::string faultOf(const std::string& ending, const std::string& content) {
+std::string faultOfFile(const std::string& ending, const std::string& content) {
   const MeshFile file(ending, content);
   try {
     readMeshFile(file.path());
@@ -196,7 +196,7 @@ TEST(MeshFile, FaultsAreNamedWithTheirPlaces) {
       {".blend", "x", ":1:1: ", "expected .obj"},
   };
   for (const Fault& fault : faults) {
-    const std::string said = faultOf(fault.ending, fault.content);
+    const std::string said = faultOfFile(fault.ending, fault.content);
     EXPECT_EQ(said.rfind(fault.place, 0), 0U) << fault.ending << " said " << said << " of\n" << fault.content;
     EXPECT_NE(said.find(fault.word), std::string::npos) << said;
     EXPECT_NE(said.find("expected"), std::string::npos) << said;
@@ -222,7 +222,7 @@ TEST(MeshFile, DamagedFilesAreReadOrRefused) {
     } else {
       content[at] = static_cast<char>(random());
     }
-    refused += faultOf(ending, content).empty() ? 0 : 1;
+    refused += faultOfFile(ending, content).empty() ? 0 : 1;
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_GT(refused, 60);

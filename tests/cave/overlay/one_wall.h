@@ -6,10 +6,9 @@
 #include <glm/vec3.hpp>
 
 #include "cave/overlay/home_arrow.h"
+#include "engine/light_speed.h"
 
 namespace carom::test {
-
-inline constexpr double kC_m_s = 1.42;
 
 inline Wall wall(const glm::dvec3& lowerLeft_m, const glm::dvec3& lowerRight_m,
                  const glm::dvec3& upperLeft_m) {

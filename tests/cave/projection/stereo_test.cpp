@@ -16,7 +16,7 @@ namespace carom {
 namespace {
 
 using Rgb = std::array<int, 3>;
-constexpr int kSize_px = 64;
+constexpr int kSide_px = 64;
 constexpr Rgb kLeft{200, 40, 10};
 constexpr Rgb kRight{10, 90, 220};
 constexpr Rgb kTop{255, 255, 255};  // the upper eighth of both
@@ -25,9 +25,9 @@ class Stereo : public testing::Test {
  protected:
   void SetUp() override {
     graphics_.makeCurrent();
-    left_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
-    right_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
-    window_ = std::make_unique<RenderTarget>(glm::ivec2(kSize_px));
+    left_ = std::make_unique<RenderTarget>(glm::ivec2(kSide_px));
+    right_ = std::make_unique<RenderTarget>(glm::ivec2(kSide_px));
+    window_ = std::make_unique<RenderTarget>(glm::ivec2(kSide_px));
     paint(*left_, kLeft);
     paint(*right_, kRight);
   }
@@ -41,27 +41,27 @@ class Stereo : public testing::Test {
 
   static void paint(const RenderTarget& picture, const Rgb& colour) {
     std::vector<std::uint8_t> pixels;
-    for (int row = 0; row < kSize_px; ++row) {
-      const Rgb& c = row >= kSize_px * 7 / 8 ? kTop : colour;
-      for (int i = 0; i < kSize_px; ++i)
+    for (int row = 0; row < kSide_px; ++row) {
+      const Rgb& c = row >= kSide_px * 7 / 8 ? kTop : colour;
+      for (int i = 0; i < kSide_px; ++i)
         pixels.insert(pixels.end(), {std::uint8_t(c[0]), std::uint8_t(c[1]), std::uint8_t(c[2]), 255});
     }
     glBindTexture(GL_TEXTURE_2D, picture.texture());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kSize_px, kSize_px, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kSide_px, kSide_px, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   }
 
   /// What the packed pane holds; at(x, y) counts from the upper left, as windows do.
   std::function<Rgb(int, int)> packed(StereoMode mode, glm::ivec2 position = {0, 0},
-                                      glm::ivec2 size = {kSize_px, kSize_px}) {
+                                      glm::ivec2 size = {kSide_px, kSide_px}) {
     StereoPacker packer;
     glBindFramebuffer(GL_FRAMEBUFFER, window_->framebuffer());
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    packer.draw({left_.get(), right_.get(), mode, position, size}, {kSize_px, kSize_px});
+    packer.draw({left_.get(), right_.get(), mode, position, size}, {kSide_px, kSide_px});
     const Image image = readBack(*window_);
     return [image](int x, int y) {
       const std::size_t at =
-          3 * (static_cast<std::size_t>(kSize_px - 1 - y) * kSize_px + static_cast<std::size_t>(x));
+          3 * (static_cast<std::size_t>(kSide_px - 1 - y) * kSide_px + static_cast<std::size_t>(x));
       return Rgb{image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
     };
   }

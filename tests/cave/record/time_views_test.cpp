@@ -14,14 +14,15 @@
 #include "cave/room/off_axis.h"
 #include "cave/scene/scene_builder.h"
 #include "engine/light/vertex_history.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
 using test::Box;
+using test::kC_m_s;
 
-constexpr double kC_m_s = 1.42;
 // A pixel is lit if a sample of it is covered: up to a pixel on either side; thin tips may cover none.
 constexpr double kBeyond_px = 1.51, kShort_px = 4.0;
 const glm::ivec2 kPicture_px{400, 400};

@@ -6,11 +6,12 @@
 #include "app/temporary_folder.h"
 #include "cave/display/display_walls.h"
 #include "cave/glowing_puck.h"
+#include "engine/light_speed.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 class Controls : public testing::Test {
  protected:

@@ -16,6 +16,7 @@
 #include "cave/render/wall_renderer.h"
 #include "cave/room/off_axis.h"
 #include "cave/scene/scene_builder.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -23,7 +24,7 @@ namespace {
 
 using namespace test;
 
-constexpr double kC_m_s = 1.42, kHeight_m = 0.03;
+constexpr double kBarHeight_m = 0.03;
 constexpr glm::ivec2 kPixels(1200, 1200);
 
 using Corners = std::vector<glm::dvec2>;
@@ -47,7 +48,7 @@ Wall middleOf(Wall wall, double share) {
 }
 
 WorldLine lineOf(const glm::dvec2& place_m, double beta, const Spin& spin) {
-  Knot knot{{0.0, {place_m, 0.5 * kHeight_m}}, uFromBeta({beta, 0.0, 0.0}), 0.0, {}, 0.0};
+  Knot knot{{0.0, {place_m, 0.5 * kBarHeight_m}}, uFromBeta({beta, 0.0, 0.0}), 0.0, {}, 0.0};
   knot.spin = spin;
   return WorldLine(knot, kC_m_s, 0.2);
 }
@@ -59,7 +60,8 @@ class DrawnCorners : public testing::Test {
     setup.board = Board{2.84, 1.42};
     std::vector<BodyLooks> looks;
     for (const Corners& outline_m : outlines_m)
-      looks.push_back({looks.empty() ? "white" : "red", "", glm::length(outline_m[0]), kHeight_m, outline_m});
+      looks.push_back(
+          {looks.empty() ? "white" : "red", "", glm::length(outline_m[0]), kBarHeight_m, outline_m});
     return buildScene(setup, looks);
   }
   Image draw(const Scene& scene, const std::vector<WorldLine>& lines, const Event& eye,
@@ -161,7 +163,7 @@ TEST_F(DrawnCorners, OfOverlappingBodiesTheLaterIsSeen) {
     const Image together = draw(both, lines, eye, head, wall), single = draw(alone, lines, eye, head, wall);
     for (double x = -0.42; x < 0.43; x += 0.04) {
       for (double y = -0.42; y < 0.43; y += 0.04) {
-        const auto seen = emission(lines[1], {side_m * x, side_m * y, 0.5 * kHeight_m}, eye, head);
+        const auto seen = emission(lines[1], {side_m * x, side_m * y, 0.5 * kBarHeight_m}, eye, head);
         const glm::dvec4 p = clip * glm::dvec4(seen->seen.dr_m, 1.0);
         const glm::ivec2 at = glm::ivec2(glm::floor((glm::dvec2(p) / p.w + 1.0) * 0.5 * glm::dvec2(kPixels)));
         const std::size_t pixel =

@@ -11,14 +11,14 @@
 #include "engine/colour/doppler_colour.h"
 #include "engine/colour/exposure.h"
 #include "engine/colour_reference.h"
+#include "engine/light_speed.h"
 
 namespace carom {
 namespace {
 
 using test::Box;
+using test::kC_m_s;
 
-constexpr double kC_m_s = 1.42;
-constexpr double kPixels = 1.01;      // a pixel is lit if its middle is covered, and rounding
 constexpr double kScreenSteps = 3.0;  // 1.5 for the shader's sRGB curve, the rest for the table and rounding
 const glm::ivec2 kPicture_px{600, 600};
 
@@ -55,7 +55,8 @@ class DrawnSwitches : public testing::Test {
 
   void expectBox(const Image& image, const Box& expected) const {
     const Box lit = test::litBox(image);
-    for (std::size_t side = 0; side < 4; ++side) EXPECT_NEAR(lit[side], expected[side], kPixels) << side;
+    for (std::size_t side = 0; side < 4; ++side)
+      EXPECT_NEAR(lit[side], expected[side], test::kLitBox_px) << side;
   }
 
   Graphics graphics_;

@@ -13,19 +13,22 @@
 #include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/scene/scene_builder.h"
+#include "engine/light_speed.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42, kRadius_m = 0.3, kHeight_m = 0.1, kBeta = 0.6;
-const glm::ivec2 kPicture_px{800, 800};
+using test::kC_m_s;
+
+constexpr double kPuckRadius_m = 0.3, kPuckHeight_m = 0.1, kBeta = 0.6;
+const glm::ivec2 kTable_px{800, 800};
 const Vec3 kLamp_m(0.4, 0.1, 1.2);
 
 Scene lampScene() {
   BilliardSetup setup;
   setup.lightSpeed_m_s = kC_m_s;
   setup.board = Board{2.84, 1.42};
-  const BodyLooks puck{"white", "", kRadius_m, kHeight_m};
+  const BodyLooks puck{"white", "", kPuckRadius_m, kPuckHeight_m};
   Hall hall;
   hall.lamps = {{kLamp_m, 1.0, glm::vec3(3.0F)}};
   return buildScene(setup, std::array{puck}, {}, hall, {});
@@ -43,11 +46,11 @@ struct Reference {
     const Vec3 n = glm::normalize((boardFromHead * Displacement{-glm::length(inHead) / kC_m_s, inHead}).dr_m);
     if (n.z >= 0.0) return {};
     const auto at = [&](double height_m) { return (height_m - eye.r_m.z) / n.z; };  // how far along the ray
-    const double top_m = at(kHeight_m);
+    const double top_m = at(kPuckHeight_m);
     const auto gap = [&](double s_m) {  // of the puck's rest frame: across it is γ times longer
       const Vec3 r = eye.r_m + s_m * n;
       const double t_s = eye.t_s - s_m / kC_m_s, gamma = 1.0 / std::sqrt(1.0 - kBeta * kBeta);
-      return std::hypot(gamma * (r.x - kBeta * kC_m_s * t_s), r.y) - kRadius_m;
+      return std::hypot(gamma * (r.x - kBeta * kC_m_s * t_s), r.y) - kPuckRadius_m;
     };
     double s_m = top_m;
     if (gap(top_m) > -0.03) {
@@ -75,29 +78,28 @@ class LampEdge : public testing::Test {
     const EyeView eye{eyeEvent, Vec3(0.0)};
     std::array<BodyView, 2> views;
     viewBody(WorldLine(Knot{}, kC_m_s, 20.0), eyeEvent, headFromBoard, views[kRestingBody], {});
-    const WorldLine line({{0.0, {0.0, 0.0, 0.5 * kHeight_m}}, uFromBeta({kBeta, 0.0, 0.0}), 0.0, {}, 0.0},
+    const WorldLine line({{0.0, {0.0, 0.0, 0.5 * kPuckHeight_m}}, uFromBeta({kBeta, 0.0, 0.0}), 0.0, {}, 0.0},
                          kC_m_s, 0.4);
     viewBody(line, eyeEvent, headFromBoard, views[1], {});
-    const Wall wall = test::wallTowards({0, 0, 0}, Vec3(0.0, 0.5, -1.0), kPicture_px);
-    RenderTarget picture(kPicture_px);
+    const Wall wall = test::wallTowards({0, 0, 0}, Vec3(0.0, 0.5, -1.0), kTable_px);
+    RenderTarget picture(kTable_px);
     renderer.look(headFromBoard, eye, views, {});
     ASSERT_TRUE(renderer.draw(wall, eye.positionInRoom_m, picture));
     judge(readBack(picture), wall, {eyeEvent, beta});
   }
 
   static void judge(const Image& image, const Wall& wall, const Reference& reference) {
-    const Vec3 right = (wall.lowerRight_m - wall.lowerLeft_m) / static_cast<double>(kPicture_px.x);
-    const Vec3 up = (wall.upperLeft_m - wall.lowerLeft_m) / static_cast<double>(kPicture_px.y);
+    const Vec3 right = (wall.lowerRight_m - wall.lowerLeft_m) / static_cast<double>(kTable_px.x);
+    const Vec3 up = (wall.upperLeft_m - wall.lowerLeft_m) / static_cast<double>(kTable_px.y);
     std::size_t lit = 0, dark = 0, wrong = 0;
-    for (int y = 1; y + 1 < kPicture_px.y; ++y) {
-      for (int x = 1; x + 1 < kPicture_px.x; ++x) {
+    for (int y = 1; y + 1 < kTable_px.y; ++y) {
+      for (int x = 1; x + 1 < kTable_px.x; ++x) {
         const auto phase_m = [&](double dx, double dy) {
           return reference.phase_m(wall.lowerLeft_m + (x + 0.5 + dx) * right + (y + 0.5 + dy) * up);
         };
         const auto here = phase_m(0.0, 0.0);
         if (!here) continue;
-        const std::size_t at =
-            3 * (static_cast<std::size_t>(y) * kPicture_px.x + static_cast<std::size_t>(x));
+        const std::size_t at = 3 * (static_cast<std::size_t>(y) * kTable_px.x + static_cast<std::size_t>(x));
         if (isOfClock(image, at)) continue;
         const bool isLit = image.rgb[at + 1] > 2;
         (isLit ? lit : dark) += 1;
@@ -140,10 +142,10 @@ TEST_F(LampEdge, BeforeItNothingIsSeen) {
   std::array<BodyView, 2> views;
   for (BodyView& view : views)
     viewBody(WorldLine(Knot{}, kC_m_s, 20.0), eye.observation, Lorentz(kC_m_s), view, {});
-  RenderTarget picture(kPicture_px);
+  RenderTarget picture(kTable_px);
   renderer.look(Lorentz(kC_m_s), eye, views, {});
   ASSERT_TRUE(
-      renderer.draw(test::wallTowards({0, 0, 0}, Vec3(0.0, 0.5, -1.0), kPicture_px), Vec3(0.0), picture));
+      renderer.draw(test::wallTowards({0, 0, 0}, Vec3(0.0, 0.5, -1.0), kTable_px), Vec3(0.0), picture));
   const Image image = readBack(picture);
   for (std::size_t at = 0; at < image.rgb.size(); at += 3)
     ASSERT_TRUE(image.rgb[at + 1] < 3 || isOfClock(image, at)) << at / 3;

@@ -12,12 +12,15 @@
 #include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/scene/scene_builder.h"
+#include "engine/light_speed.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42, kRailTop_m = 0.045, kRailMiddle_m = 0.71 + 0.105;
-const glm::ivec2 kPicture_px{600, 600};
+using test::kC_m_s;
+
+constexpr double kRailTop_m = 0.045, kRailMiddle_m = 0.71 + 0.105;
+const glm::ivec2 kMirror_px{600, 600};
 
 /// The table and its hall, the mirror so smooth that the image of a lamp is a point, and nothing else bright.
 Scene mirrorScene(Paint mirror, const Hall& hall) {
@@ -36,11 +39,11 @@ Scene mirrorScene(Paint mirror, const Hall& hall) {
 std::optional<glm::dvec2> brightPlace_px(const Image& image, const glm::dvec2& near_px) {
   glm::dvec2 sum(0.0);
   double weight = 0.0;
-  for (int y = 0; y < kPicture_px.y; ++y) {
-    for (int x = 0; x < kPicture_px.x; ++x) {
+  for (int y = 0; y < kMirror_px.y; ++y) {
+    for (int x = 0; x < kMirror_px.x; ++x) {
       const glm::dvec2 at(x + 0.5, y + 0.5);
       const std::size_t pixel =
-          3 * (static_cast<std::size_t>(y) * kPicture_px.x + static_cast<std::size_t>(x));
+          3 * (static_cast<std::size_t>(y) * kMirror_px.x + static_cast<std::size_t>(x));
       if (glm::distance(at, near_px) > 10.0 || image.rgb[pixel] < 240) continue;
       sum += at;
       weight += 1.0;
@@ -58,8 +61,8 @@ class Mirror : public testing::TestWithParam<Paint> {
     const Vec3 right = wall.lowerRight_m - wall.lowerLeft_m, up = wall.upperLeft_m - wall.lowerLeft_m;
     const Vec3 normal = glm::cross(right, up);
     const Vec3 at = seen * (glm::dot(wall.lowerLeft_m, normal) / glm::dot(seen, normal)) - wall.lowerLeft_m;
-    return {glm::dot(at, right) / glm::dot(right, right) * kPicture_px.x,
-            glm::dot(at, up) / glm::dot(up, up) * kPicture_px.y};
+    return {glm::dot(at, right) / glm::dot(right, right) * kMirror_px.x,
+            glm::dot(at, up) / glm::dot(up, up) * kMirror_px.y};
   }
 
   /// Compares the picture of an eye that sees the third lamp in the middle of the near rail, between its
@@ -80,8 +83,8 @@ class Mirror : public testing::TestWithParam<Paint> {
     viewBody(WorldLine(Knot{}, kC_m_s, 20.0), eye.observation, headFromBoard, views[0], {});
     const Vec3 towards =
         (headFromBoard * Displacement{-glm::length(image_m - eye_m) / kC_m_s, image_m - eye_m}).dr_m;
-    const Wall wall = test::wallTowards({0, 0, 0}, towards, kPicture_px);
-    RenderTarget picture(kPicture_px);
+    const Wall wall = test::wallTowards({0, 0, 0}, towards, kMirror_px);
+    RenderTarget picture(kMirror_px);
     renderer.look(headFromBoard, eye, views, {});
     ASSERT_TRUE(renderer.draw(wall, eye.positionInRoom_m, picture));
     const glm::dvec2 expected_px = seenAt_px(wall, image_m - eye_m, headFromBoard);

@@ -10,18 +10,17 @@
 
 #include "app/program.h"
 #include "app/scenario/scenario.h"
-#include "cave/reference_views.h"
 #include "cave/scene/scene_builder.h"
+#include "cave/silhouettes.h"
 #include "engine/light/mesh_emission.h"
 #include "places.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr int kWall_px = 1920;
-constexpr double kWall_m = 3.0, kWallDistance_m = 1.5;                     // a wall of a CAVE from its middle
-constexpr double kPixelsPerRadian = kWall_px / kWall_m * kWallDistance_m;  // in its middle
+using namespace test;
+
+constexpr double kPixelsPerRadian = kWall_px / kWall_m * kWallDistance_m;  // in the middle of a wall
 
 /// A ball as a mesh file.
 std::string ballObj(double radius_m, int rings) {

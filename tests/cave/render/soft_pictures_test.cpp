@@ -19,7 +19,7 @@ namespace {
 
 using namespace test;
 
-constexpr int kPicture_px = 960;
+constexpr int kSquare_px = 960;
 // Lines are 100 to 170 of 255 bright, the most where matter glows, and ground is 254: half of the light.
 constexpr int kHalf = 225;
 
@@ -140,16 +140,16 @@ TEST_F(SoftPictures, SilhouettesAndPrintedLinesAreWithinAPixel) {
       const auto seenAt = [&](std::size_t puck, std::size_t point) {
         return (headFromBoard * steps[puck].seen(look.observation, played[puck].model, point)).dr_m;
       };
-      const Wall wall = squareWall(look.inRoom_m, seenAt(0, 0), 1.0, 0.5, kPicture_px);
+      const Wall wall = squareWall(look.inRoom_m, seenAt(0, 0), 1.0, 0.5, kSquare_px);
       const glm::dmat4 clip = *clipFromEye(wall, look.inRoom_m);
 
-      ReferencePicture expected(kPicture_px);
+      ReferencePicture expected(kSquare_px);
       for (std::size_t puck = 0; puck < count; ++puck) {
         const SoftModel& model = played[puck].model;
         std::vector<ReferencePicture::Corner> corners;
         for (std::size_t i = 0; i < model.points.size(); ++i) {
           const glm::dvec4 at = clip * glm::dvec4(seenAt(puck, i), 1.0);
-          const glm::dvec2 at_px = (0.5 * glm::dvec2(at) / at.w + 0.5) * double{kPicture_px};
+          const glm::dvec2 at_px = (0.5 * glm::dvec2(at) / at.w + 0.5) * double{kSquare_px};
           corners.push_back({at_px, at.w, model.relaxed_m[model.points[i].node]});
         }
         for (std::size_t k = 0; k + 2 < model.surface.size(); k += 3) {
@@ -175,9 +175,9 @@ TEST_F(SoftPictures, SilhouettesAndPrintedLinesAreWithinAPixel) {
       ASSERT_TRUE(renderer.draw(wall, look.inRoom_m, picture));
       const Image image = readBack(picture);
       long outside = 0, missing = 0, wrong = 0;
-      for (int y = 0; y < kPicture_px; ++y) {
-        for (int x = 0; x < kPicture_px; ++x) {
-          const int bright = image.rgb[3 * (static_cast<std::size_t>(y) * kPicture_px + x)];
+      for (int y = 0; y < kSquare_px; ++y) {
+        for (int x = 0; x < kSquare_px; ++x) {
+          const int bright = image.rgb[3 * (static_cast<std::size_t>(y) * kSquare_px + x)];
           const auto all = [&](Ink ink) {
             return !expected.anyAround(x, y, [ink](Ink other) { return other != ink; });
           };

@@ -13,14 +13,13 @@
 #include "cave/pictures/image.h"
 #include "cave/render/wall_renderer.h"
 #include "cave/scene/scene_builder.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
 using namespace test;
-
-constexpr double kC_m_s = 1.42;
 
 /// All of which a picture may depend, but for the time.
 struct Seen {

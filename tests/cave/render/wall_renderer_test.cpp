@@ -19,16 +19,13 @@
 #include "cave/scene/scene_builder.h"
 #include "cave/scene/table_model.h"
 #include "engine/colour/exposure.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
 using namespace test;
-
-constexpr double kC_m_s = 1.42;
-constexpr double kPixels =
-    1.01;  // a pixel is lit if its middle is covered: half a pixel on either side, and rounding
 
 /// The same from the engine: every vertex's emission, seen from the eye, projected to the wall.
 Box expectedBox(const Scene& scene, const WorldLine& line, const Event& eye, const Lorentz& headFromBoard,
@@ -91,7 +88,7 @@ TEST_F(WallRendererTest, BouncingBodiesAppearWhereTheirVerticesAreSeen) {
     for (std::size_t side = 0; side < 4; ++side) {
       // The outermost vertices of a thin tip may cover no pixel's middle: then less is lit, never more.
       const double beyond = side % 2 == 0 ? expected[side] - lit[side] : lit[side] - expected[side];
-      ASSERT_LT(beyond, kPixels) << "case " << i << " side " << side;
+      ASSERT_LT(beyond, kLitBox_px) << "case " << i << " side " << side;
       ASSERT_GT(beyond, -3.0) << "case " << i << " side " << side << ": " << lit[side] << " for "
                               << expected[side];
     }

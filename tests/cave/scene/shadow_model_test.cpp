@@ -19,7 +19,7 @@
 namespace carom {
 namespace {
 
-constexpr double kHeight_m = 0.02;
+constexpr double kPuckHeight_m = 0.02;
 
 /// The area of each light's shadow, of triangles that face up.
 std::array<double, kShadowLights> areasOf(vtkPolyData& mesh) {
@@ -40,17 +40,17 @@ std::array<double, kShadowLights> areasOf(vtkPolyData& mesh) {
 
 TEST(ShadowModel, ADiscsShadowFadesAcrossItsRim) {
   constexpr double kRadius_m = 0.03;
-  const ScenePart part = discShadow(kRadius_m, kHeight_m, 5, kAnyCell_m);
+  const ScenePart part = discShadow(kRadius_m, kPuckHeight_m, 5, kAnyCell_m);
   EXPECT_EQ(part.body, 5U);
   EXPECT_EQ(part.paint, Paint::shadow);
   EXPECT_TRUE(part.isRound);
-  const double soft_m = shadowSoftOf_m(kHeight_m), hall_m = hallShadowReachOf_m(kHeight_m);
+  const double soft_m = shadowSoftOf_m(kPuckHeight_m), hall_m = hallShadowReachOf_m(kPuckHeight_m);
   vtkDataArray* const surface = part.mesh->GetPointData()->GetArray("surface");
   ASSERT_NE(surface, nullptr);
   for (vtkIdType i = 0; i < part.mesh->GetNumberOfPoints(); ++i) {
     const double* const place_m = part.mesh->GetPoint(i);
-    EXPECT_NEAR(place_m[2], kShadowAboveCloth_m - 0.5 * kHeight_m, 1e-8);
-    EXPECT_NEAR(surface->GetComponent(i, 2), kHeight_m, 1e-8);
+    EXPECT_NEAR(place_m[2], kShadowAboveCloth_m - 0.5 * kPuckHeight_m, 1e-8);
+    EXPECT_NEAR(surface->GetComponent(i, 2), kPuckHeight_m, 1e-8);
     // From 0 within the ring to 1 at its border.
     const bool isHall = surface->GetComponent(i, 1) == kShadowOfHall;
     const double inner_m = isHall ? 0.95 * kRadius_m : kRadius_m - soft_m,
@@ -71,7 +71,7 @@ TEST(ShadowModel, ADiscsShadowFadesAcrossItsRim) {
 // Each coarser one has fewer points, and is off by more.
 TEST(ShadowModel, CoarserOnesHaveFewerPoints) {
   constexpr double kRadius_m = 0.03;
-  const ScenePart part = discShadow(kRadius_m, kHeight_m, 1, kAnyCell_m);
+  const ScenePart part = discShadow(kRadius_m, kPuckHeight_m, 1, kAnyCell_m);
   ASSERT_FALSE(part.coarser.empty());
   double before_m = 0.0;
   vtkIdType points = part.mesh->GetNumberOfPoints();
@@ -87,11 +87,11 @@ TEST(ShadowModel, CoarserOnesHaveFewerPoints) {
 TEST(ShadowModel, APrismsShadowIsItsOutlineAndABorder) {
   constexpr double kSide_m = 0.06;
   const std::vector<glm::dvec2> square{{-0.03, -0.03}, {0.03, -0.03}, {0.03, 0.03}, {-0.03, 0.03}};
-  const ScenePart part = outlineShadow(square, kHeight_m, 2, kAnyCell_m);
+  const ScenePart part = outlineShadow(square, kPuckHeight_m, 2, kAnyCell_m);
   const auto areas = areasOf(*part.mesh);
   for (int light = 0; light < kShadowLights; ++light) {
     const double border_m =
-        light == kShadowOfHall ? hallShadowReachOf_m(kHeight_m) : shadowSoftOf_m(kHeight_m);
+        light == kShadowOfHall ? hallShadowReachOf_m(kPuckHeight_m) : shadowSoftOf_m(kPuckHeight_m);
     const double area_m2 = kSide_m * kSide_m + 4.0 * kSide_m * border_m + 2.0 * border_m * border_m;
     EXPECT_NEAR(areas[static_cast<std::size_t>(light)], area_m2, 1e-4 * area_m2) << light;
   }

@@ -22,8 +22,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kPi = std::numbers::pi;
-
 struct Case {
   Sky sky;
   glm::ivec2 picture_px;
@@ -78,7 +76,8 @@ glm::dvec2 inPicture(const Sky& sky, const glm::dvec3& along) {
     return 0.5 + 0.5 * share * glm::normalize(glm::dvec2(d.x, -d.z));
   }
   if (sky.kind == SkyKind::equirectangular)
-    return {0.5 + std::atan2(d.x, d.z) / (2.0 * kPi), 0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / kPi};
+    return {0.5 + std::atan2(d.x, d.z) / (2.0 * std::numbers::pi),
+            0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi};
   return inCubemap(d);
 }
 
@@ -105,7 +104,7 @@ TEST(SkyScreen, EachDirectionIsAtItsPlaceWhereverTheEyesAre) {
       const double pixel_rad =
           one.sky.kind == SkyKind::cubemap
               ? 1.0 / one.picture_px.y
-              : (one.sky.kind == SkyKind::fisheye ? one.sky.fov_rad : kPi) / one.picture_px.y;
+              : (one.sky.kind == SkyKind::fisheye ? one.sky.fov_rad : std::numbers::pi) / one.picture_px.y;
       const double off_px = glm::distance(shown, wished) / pixel_rad;
       most_px = std::max(most_px, off_px);
       ASSERT_LE(off_px, 0.1) << kSkyKinds[static_cast<std::size_t>(one.sky.kind)] << " at " << place.x << " "
@@ -136,7 +135,8 @@ TEST(SkyScreen, EachPieceShowsAllThatItsPixelsNeed) {
       }
     }
     const double whole_px2 = static_cast<double>(one.picture_px.x) * one.picture_px.y;
-    const double expected_px2 = one.sky.kind == SkyKind::fisheye ? kPi / 4.0 * whole_px2 : whole_px2;
+    const double expected_px2 =
+        one.sky.kind == SkyKind::fisheye ? std::numbers::pi / 4.0 * whole_px2 : whole_px2;
     EXPECT_NEAR(shown_px2, expected_px2, 0.001 * whole_px2);
     fmt::print("{} of {} × {}: {} pieces, {:.2f} texels a pixel\n",
                kSkyKinds[static_cast<std::size_t>(one.sky.kind)], one.picture_px.x, one.picture_px.y,

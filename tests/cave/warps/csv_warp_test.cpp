@@ -7,15 +7,13 @@
 
 #include "cave/mesh_files/measured_faults.h"
 #include "cave/warps/warp_file.h"
-#include "places.h"
 
 namespace carom {
 namespace {
 
 using test::complaint;
 using test::expectSaid;
-
-const std::string kMeshes = CAROM_TESTS_DIR "/data/rooms/meshes/";
+using test::kMeshes;
 
 TEST(WarpFiles, WrongOnesOfDomeprojectionAreRefusedWithTheirPlace) {
   const std::string head = "x;y;u;v;column;row\n0;0;0;0;0;0\n1;0;1;0;1;0\n";

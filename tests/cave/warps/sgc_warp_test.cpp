@@ -10,16 +10,14 @@
 
 #include "cave/mesh_files/measured_faults.h"
 #include "engine/text/outside_file.h"
-#include "places.h"
 
 namespace carom {
 namespace {
 
 using test::complaint;
 using test::expectSaid;
+using test::kMeshes;
 using test::with;
-
-const std::string kMeshes = CAROM_TESTS_DIR "/data/rooms/meshes/";
 
 TEST(WarpFiles, WrongOnesOfScissAreRefusedWithTheirPlace) {
   const std::string sgc = contentOf(kMeshes + "channel1_warp_u2.sgc", InputKind::warp);

@@ -13,15 +13,14 @@
 #include <glm/geometric.hpp>
 
 #include "app/temporary_folder.h"
+#include "cave/mesh_files/measured_faults.h"
 #include "cave/warps/some_keystone.h"
-#include "places.h"
 
 namespace carom {
 namespace {
 
+using test::kMeshes;
 using test::kObj;
-
-const std::string kMeshes = CAROM_TESTS_DIR "/data/rooms/meshes/";
 
 // One dome channel, measured once, as three programs wrote it.
 TEST(WarpFiles, ThreeFormatsOfOneChannelAgree) {

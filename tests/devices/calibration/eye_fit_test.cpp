@@ -4,8 +4,6 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/trigonometric.hpp>
 #include <random>
 #include <vector>
 
@@ -17,11 +15,7 @@ namespace {
 
 using test::normal3;
 using test::Random;
-
-glm::dquat turned(const glm::dvec3& turn_rad) {
-  const double angle = glm::length(turn_rad);
-  return angle == 0.0 ? glm::dquat(1, 0, 0, 0) : glm::angleAxis(angle, turn_rad / angle);
-}
+using test::turned;
 
 /// A head at any place whose eye is on the line of two marks, behind the near one.
 Sighting sighting(Random& random, const glm::dvec3& eyeInSensor_m, double sigma_m) {

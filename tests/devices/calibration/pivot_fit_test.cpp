@@ -4,8 +4,6 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/trigonometric.hpp>
 #include <random>
 #include <vector>
 
@@ -17,11 +15,7 @@ namespace {
 
 using test::normal3;
 using test::Random;
-
-glm::dquat turned(const glm::dvec3& turn_rad) {
-  const double angle = glm::length(turn_rad);
-  return angle == 0.0 ? glm::dquat(1, 0, 0, 0) : glm::angleAxis(angle, turn_rad / angle);
-}
+using test::turned;
 
 /// Poses of a tool that is turned about its tip, by up to about `reach_rad` about each of the axes.
 std::vector<Pose> pivoting(Random& random, const glm::dvec3& tip_m, const glm::dvec3& pivot_m, int count,

@@ -12,22 +12,17 @@
 #include "devices/lasting_noise.h"
 #include "devices/recorded_head.h"
 #include "devices/simulated_heads.h"
+#include "devices/unturned_head.h"
 #include "devices/velocity_peers.h"
 #include "sanitized.h"
 
 namespace carom {
 namespace {
 
+using test::celerityOf;
+using test::poseAt;
+
 const glm::dvec3 kPlace_m(0.5, 1.7, -0.3);
-
-Pose at(const glm::dvec3& position_m) { return {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)}; }
-
-VelocityFilter celerityOf(HeadFilter filter) {
-  return [filter](double time_s, const glm::dvec3& position_m) mutable {
-    filter.add(time_s, at(position_m));
-    return filter.at(time_s).celerity_m_s;
-  };
-}
 
 // A magnetic tracker near metal: 1 mm for 50 ms. At c = 1.42 m/s, 5 mm/s turn the sky by 0.2°.
 TEST(ColouredNoise, AHeadAtRestIsCalm) {
@@ -54,7 +49,7 @@ TEST(ColouredNoise, IsRememberedInMotion) {
     for (int i = -600; i < static_cast<int>(head.path.times_s.size()); ++i) {
       const std::size_t row = static_cast<std::size_t>(std::max(i, 0));
       const glm::dvec3 sample_m = head.path.positions_m[row] + noise();
-      filter.add(i / 60.0, at(sample_m));
+      filter.add(i / 60.0, poseAt(sample_m));
       const glm::dvec3 peer_m_s = peer(i / 60.0, sample_m);
       if (i < 0) continue;
       const glm::dvec3 truth_m_s = head.path.velocities_m_s[row];
@@ -73,7 +68,7 @@ TEST(ColouredNoise, MotionIsNone) {
     HeadFilter filter;
     double largest_m = 0.0;
     for (std::size_t i = 0; i < head.path.times_s.size(); ++i) {
-      filter.add(head.path.times_s[i], at(head.path.positions_m[i] + trackerNoise(random)));
+      filter.add(head.path.times_s[i], poseAt(head.path.positions_m[i] + trackerNoise(random)));
       if (i > 300) largest_m = std::max(largest_m, filter.trackerSigma_m());
     }
     EXPECT_LT(largest_m, 1.6 * kTrackerNoise_m)
@@ -112,7 +107,7 @@ TEST(RoundedPositions, AreAsGoodAsTheirErrorsAllow) {
     for (std::size_t i = 0; i < head.path.times_s.size(); ++i) {
       const glm::dvec3 sample_m = 0.001 * glm::round(1000.0 * head.path.positions_m[i]);
       const double time_s = head.path.times_s[i];
-      filter.add(time_s, at(sample_m));
+      filter.add(time_s, poseAt(sample_m));
       const glm::dvec3 peer_m_s = peer(time_s, sample_m) - head.path.velocities_m_s[i];
       const glm::dvec3 off_m_s = filter.at(time_s).celerity_m_s - head.path.velocities_m_s[i];
       if (time_s < 1.0) continue;

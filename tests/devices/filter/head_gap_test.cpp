@@ -7,13 +7,13 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <string>
 #include <vector>
 
 #include "devices/filter/head_filter.h"
 #include "devices/gap_score.h"
 #include "devices/simulated_heads.h"
+#include "devices/unturned_head.h"
 #include "devices/velocity_peers.h"
 #include "places.h"
 #include "sanitized.h"
@@ -21,19 +21,10 @@
 namespace carom {
 namespace {
 
+using test::poseAt;
+
 constexpr double kFrame_s = 1.0 / 60.0;
 constexpr double kSlew_m_s = 1.0;  // how fast the pose comes over to where samples came back
-
-Pose at(const glm::dvec3& position_m) { return {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)}; }
-
-FilterMaker headFilter() {
-  return [] {
-    return [filter = HeadFilter()](double time_s, const glm::dvec3& position_m) mutable {
-      filter.add(time_s, at(position_m));
-      return filter.at(time_s).celerity_m_s;
-    };
-  };
-}
 
 // The simulated heads, and the recorded ones.
 std::vector<SimulatedHead> headsAt(int rate_hz) {
@@ -53,7 +44,7 @@ TEST(HeadGap, CelerityAfterItIsThatOfModelsToldTheNoise) {
     for (const auto& [gap_s, limit] :
          {std::pair(0.1, 1.1), std::pair(0.2, 1.3), std::pair(0.3, 1.3), std::pair(0.5, 1.5)}) {
       for (const SimulatedHead& head : heads) {
-        const GapScore own = gapScoreOf(head.path, gap_s, headFilter(), 1);
+        const GapScore own = gapScoreOf(head.path, gap_s, test::headFilter, 1);
         const GapScore peer = gapScoreOf(
             head.path, gap_s, [] { return fourSingers(kTrackerNoise_m); }, 1);
         EXPECT_LE(own.error_m_s, limit * peer.error_m_s)
@@ -82,7 +73,7 @@ void watch(const Path& path, double gap_s, const std::function<void(const Watche
     const double into_s = since_s < 0.0 ? 1e9 : std::fmod(since_s, gap_s + 2.0);
     const glm::dvec3 sample_m = path.positions_m[i] + trackerNoise(random);
     if (into_s >= gap_s) {
-      filter.add(time_s, at(sample_m));
+      filter.add(time_s, poseAt(sample_m));
       last_s = time_s;
     }
     now = {time_s - last_s, into_s - gap_s, path.positions_m[i], path.velocities_m_s[i], filter.at(time_s)};
@@ -195,7 +186,7 @@ TEST(HeadGap, TheErrorIsStated) {
 TEST(HeadGap, ASlowTrackerReturnsToo) {
   HeadFilter filter;
   for (int i = 0; i < 60; ++i) {
-    if (i < 20 || i >= 30) filter.add(0.2 * i, at({0.2 * i, 1.7, 0.0}));
+    if (i < 20 || i >= 30) filter.add(0.2 * i, poseAt({0.2 * i, 1.7, 0.0}));
   }
   EXPECT_NEAR(filter.at(0.2 * 59).celerity_m_s.x, 1.0, 0.03);
 }
@@ -209,7 +200,8 @@ TEST(HeadGap, TheCelerityGoesOnAsThePlaceDoes) {
     const double since_s = std::max(0.0, time_s - 2.0);
     return glm::dvec3(0.5 * since_s * since_s, 1.7, 0.0);  // 1 m/s²
   };
-  for (int i = 0; i < 180; ++i) filter.add(i * kFrame_s, at(place_m(i * kFrame_s) + trackerNoise(random)));
+  for (int i = 0; i < 180; ++i)
+    filter.add(i * kFrame_s, poseAt(place_m(i * kFrame_s) + trackerNoise(random)));
   const double last_s = 179 * kFrame_s, last_m_s = filter.at(last_s).celerity_m_s.x;
   constexpr double kStep_s = 1e-4;
   for (double ahead_s = 0.12; ahead_s < 0.5; ahead_s += 0.05) {
@@ -228,7 +220,7 @@ TEST(HeadGap, TheErrorOfAFadingCelerityIsStated) {
   std::mt19937_64 random(11);
   HeadFilter filter;
   for (int i = 0; i < 180; ++i)
-    filter.add(i * kFrame_s, at(glm::dvec3(i * kFrame_s, 1.7, 0.0) + trackerNoise(random)));
+    filter.add(i * kFrame_s, poseAt(glm::dvec3(i * kFrame_s, 1.7, 0.0) + trackerNoise(random)));
   for (const double after_s : {0.12, 0.6, 0.75, 0.9, 0.98, 1.5}) {
     const HeadEstimate head = filter.at(179 * kFrame_s + after_s);
     EXPECT_GT(head.sigma_m_s, 0.9 * std::abs(1.0 - head.celerity_m_s.x)) << after_s;
@@ -245,7 +237,7 @@ TEST(HeadGap, ATrackerThatReturnsElsewhereIsNoMotion) {
       const double time_s = i * kFrame_s;
       if (time_s >= 5.0 && time_s < 5.0 + gap_s) continue;
       const glm::dvec3 place_m(time_s < 5.0 ? 0.0 : 1.0, 1.7, 0.0);
-      EXPECT_EQ(filter.add(time_s, at(place_m + trackerNoise(random))), SampleUse::used);
+      EXPECT_EQ(filter.add(time_s, poseAt(place_m + trackerNoise(random))), SampleUse::used);
       if (time_s > 4.0) fastest_m_s = std::max(fastest_m_s, glm::length(filter.at(time_s).celerity_m_s));
     }
     EXPECT_LT(fastest_m_s, 0.02) << gap_s;  // a raw difference of noise is 0.025
@@ -260,7 +252,7 @@ TEST(HeadGap, ATrackerThatReturnsElsewhereLeavesTheWalk) {
   for (int i = 0; i < 600; ++i) {
     const double time_s = i * kFrame_s;
     if (time_s >= 5.0 && time_s < 5.4) continue;
-    filter.add(time_s, at(glm::dvec3(time_s, 1.7, time_s < 5.0 ? 0.0 : 2.0) + trackerNoise(random)));
+    filter.add(time_s, poseAt(glm::dvec3(time_s, 1.7, time_s < 5.0 ? 0.0 : 2.0) + trackerNoise(random)));
     if (time_s < 4.0) continue;
     EXPECT_TRUE(glm::distance(filter.at(time_s).celerity_m_s, glm::dvec3(1.0, 0.0, 0.0)) < 0.1)
         << time_s << ": " << filter.at(time_s).celerity_m_s.x;

@@ -6,17 +6,18 @@
 
 #include <glm/geometric.hpp>
 
+#include "devices/recorded_head.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kInterval_s = 1.0 / 60.0, kSigma_m = 0.0003;
+constexpr double kInterval_s = 1.0 / 60.0;
 
 /// A head and the filter that follows what is believed of it.
 struct Followed {
   test::Random random{91};
-  CelerityFilter filter{kSigma_m};
+  CelerityFilter filter{kTrackerNoise_m};
   JumpJudge judge;
   double time_s = 0.0;
 
@@ -27,7 +28,7 @@ struct Followed {
   /// Judges the next sample, `interval_s` later, and believes it unless it is doubted.
   Jump take(const glm::dvec3& place_m, double interval_s = kInterval_s) {
     time_s += interval_s;
-    const glm::dvec3 seen_m = place_m + kSigma_m * glm::dvec3(normal(), normal(), normal());
+    const glm::dvec3 seen_m = place_m + kTrackerNoise_m * glm::dvec3(normal(), normal(), normal());
     const Jump jump = judge.judge(filter, time_s, seen_m);
     if (jump == Jump::none || jump == Jump::quick) {
       judge.use(filter, time_s, seen_m);

@@ -5,20 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "devices/filter/head_filter.h"
+#include "devices/unturned_head.h"
 #include "devices/velocity_peers.h"
 #include "sanitized.h"
 
 namespace carom {
 namespace {
-
-FilterMaker headFilter() {
-  return [] {
-    return [filter = HeadFilter()](double time_s, const glm::dvec3& position_m) mutable {
-      filter.add(time_s, {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)});
-      return filter.at(time_s).celerity_m_s;
-    };
-  };
-}
 
 struct Limit {
   int rate_hz;
@@ -31,7 +23,7 @@ TEST(RecordedHead, CelerityIsFoundWithinTheLimits) {
   const Path path = recordedHead(2000, 8000);
   for (const Limit limit : test::someOf({Limit{60, 0.0088, 0.011, 0.0004}, Limit{120, 0.0080, 0.010, 0.0004},
                                          Limit{240, 0.0071, 0.009, 0.0004}})) {
-    const FilterScore score = scoreOf(resampled(path, limit.rate_hz), limit.rate_hz, headFilter());
+    const FilterScore score = scoreOf(resampled(path, limit.rate_hz), limit.rate_hz, test::headFilter);
     EXPECT_LE(score.error_m_s, limit.error_m_s) << limit.rate_hz << " Hz";
     EXPECT_LE(score.lag_s, limit.lag_s) << limit.rate_hz << " Hz";
     EXPECT_LE(score.rest_m_s, limit.rest_m_s) << limit.rate_hz << " Hz";
@@ -46,7 +38,7 @@ TEST(RecordedHead, StatedErrorAndLagAreThoseSeen) {
     int count = 0;
     const auto watched = [&]() -> VelocityFilter {
       return [&, filter = HeadFilter()](double time_s, const glm::dvec3& position_m) mutable {
-        filter.add(time_s, {position_m, glm::dquat(1.0, 0.0, 0.0, 0.0)});
+        filter.add(time_s, test::poseAt(position_m));
         const HeadEstimate head = filter.at(time_s);
         if (time_s < 20.0) return head.celerity_m_s;  // settling, and the sensor at rest
         variance += head.sigma_m_s * head.sigma_m_s;
@@ -68,7 +60,7 @@ TEST(RecordedHead, NoiseIsLearntInMotion) {
   std::vector<NoisyHead> heads = noisyHeads();
   heads.resize(test::casesOf(heads.size()));
   for (const NoisyHead& head : heads) {
-    const NoisyScore score = noisyScoreOf(head, headFilter(), 1);
+    const NoisyScore score = noisyScoreOf(head, test::headFilter, 1);
     EXPECT_LE(score.ratio(), 1.1) << head.recording << " at " << head.rate_hz << " Hz with " << head.noise_m
                                   << " m, " << (head.isRested ? "rested: " : "from motion: ")
                                   << score.own_m_s;

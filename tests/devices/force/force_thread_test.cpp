@@ -26,10 +26,10 @@ struct Told {
 };
 
 /// A device that is pressed and drawn away from where it was, a little each tick, again and again.
-class Drawn : public ForceDevice {
+class DrawnDevice : public ForceDevice {
  public:
-  explicit Drawn(Told& told) : told_(told) { ++told_.opened; }
-  ~Drawn() override { zero(); }
+  explicit DrawnDevice(Told& told) : told_(told) { ++told_.opened; }
+  ~DrawnDevice() override { zero(); }
   ForceDeviceState read(double now_s) override {
     if (told_.fails) throw std::runtime_error("it was pulled out");
     ForceDeviceState state;
@@ -56,7 +56,7 @@ class Session {
   explicit Session(Told& told)
       : told_(told),
         thread_(
-            "arm", [&told](const std::stop_token&) { return std::make_unique<Drawn>(told); }, limits(),
+            "arm", [&told](const std::stop_token&) { return std::make_unique<DrawnDevice>(told); }, limits(),
             Clock::now()) {
     law_.kind = ForceLaw::Kind::cue;
     law_.cue = {0.403, 0.08, 1.0};

@@ -15,12 +15,10 @@ namespace carom {
 namespace {
 
 using test::Bytes;
+using test::freePort;
 using test::PeerSocket;
 using test::Watched;
 using State = TrackerHealth::State;
-
-/// A port that was free a moment ago.
-std::uint16_t freePort() { return PeerSocket(SOCK_DGRAM).port(); }
 
 Bytes frame(unsigned number, double time_s, double x_mm = 0.0) {
   const double whole_s = std::floor(time_s);
@@ -49,7 +47,7 @@ struct Controller {
   unsigned number = 1;
 };
 
-Transport transportAt(std::uint16_t port, const std::string& options = "") {
+Transport dtrackAt(std::uint16_t port, const std::string& options = "") {
   return dtrackTransport(readDtrackSource(fmt::format("udp://127.0.0.1:{}{}", port, options)));
 }
 
@@ -61,7 +59,7 @@ bool listens(Watched& head) {
 
 TEST(DtrackTracker, DeliversFramesAtTheTimesOfTheCameras) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port));
+  Watched head(dtrackAt(port));
   Controller controller(head, port);
   ASSERT_TRUE(head.comesTrue([&] { return controller.send(1), head.samples.size() > 0; }));
   std::vector<double> looked_s;
@@ -81,7 +79,7 @@ TEST(DtrackTracker, DeliversFramesAtTheTimesOfTheCameras) {
 
 TEST(DtrackTracker, CountsGapsAndWhatItCannotRead) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port));
+  Watched head(dtrackAt(port));
   Controller controller(head, port);
   ASSERT_TRUE(head.comesTrue([&] { return controller.send(1), head.samples.size() > 0; }));
   const std::uint64_t before = head.health().gaps;
@@ -96,7 +94,7 @@ TEST(DtrackTracker, CountsGapsAndWhatItCannotRead) {
 // A controller, or a program in its place, that writes numbers as its language does.
 TEST(DtrackTracker, SaysWhyLinesCannotBeRead) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port));
+  Watched head(dtrackAt(port));
   Controller controller(head, port);
   ASSERT_TRUE(head.comesTrue([&] { return controller.send(1), head.samples.size() > 0; }));
   const Bytes commas =
@@ -118,7 +116,7 @@ TEST(DtrackTracker, SaysWhyLinesCannotBeRead) {
 
 TEST(DtrackTracker, ListensToTheConfiguredSenderAlone) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port, "?from=127.0.0.2"));
+  Watched head(dtrackAt(port, "?from=127.0.0.2"));
   Controller foreign(head, port, "127.0.0.3"), own(head, port, "127.0.0.2");
   ASSERT_TRUE(head.comesTrue([&] { return own.send(1), head.samples.size() > 0; }));
   head.poll();
@@ -134,7 +132,7 @@ TEST(DtrackTracker, ListensToTheConfiguredSenderAlone) {
 
 TEST(DtrackTracker, SilenceRestartAndAnotherClock) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port), 0.1);
+  Watched head(dtrackAt(port), 0.1);
   {
     Controller controller(head, port);
     ASSERT_TRUE(head.comesTrue([&] { return controller.send(1), head.health().state == State::delivering; }));
@@ -176,7 +174,7 @@ TEST(DtrackTracker, JoinsAGroupOnAnInterface) {
 TEST(DtrackTracker, APortInUseNeedsHelpUntilItIsFree) {
   auto other = std::make_unique<PeerSocket>(SOCK_DGRAM);
   const std::uint16_t port = other->port();
-  Watched head(transportAt(port));
+  Watched head(dtrackAt(port));
   ASSERT_TRUE(head.comesTo(State::failed));
   EXPECT_NE(head.health().message.find("another program"), std::string::npos) << head.health().message;
   other.reset();

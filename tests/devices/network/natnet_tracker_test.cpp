@@ -24,9 +24,9 @@ constexpr double kLatency_s = 0.008;
 const NatnetSender::Body kHead{4, 0.5f, 1.75f, -0.25f, 0.0f, 0.0f, 0.0f, 1.0f};
 
 /// Answers questions on a thread of its own, and sends frames to who asked, or to a group, when told to.
-class Server {
+class MotiveServer {
  public:
-  Server(int major, int minor, std::uint16_t port = 0)
+  MotiveServer(int major, int minor, std::uint16_t port = 0)
       : socket_(SOCK_DGRAM, port),
         sender_(major, minor),
         thread_([this](const std::stop_token& stop) { answer(stop); }) {}
@@ -65,19 +65,19 @@ class Server {
   std::jthread thread_;
 };
 
-Transport transportTo(std::uint16_t port, const std::string& options = "") {
+Transport natnetAt(std::uint16_t port, const std::string& options = "") {
   return natnetTransport(readNatnetSource(fmt::format("udp://127.0.0.1:{}{}", port, options)));
 }
 
-bool delivers(Watched& head, Server& server) {
+bool delivers(Watched& head, MotiveServer& server) {
   head.samples.clear();
   return head.comesTrue([&] { return server.sendFrame(head.now_s()), head.samples.size() >= 5; });
 }
 
 // A server that plays one packet again and again.
 TEST(NatnetTracker, DeliversThoughTheServersClockStands) {
-  Server server(3, 1);
-  Watched head(transportTo(server.port()));
+  MotiveServer server(3, 1);
+  Watched head(natnetAt(server.port()));
   ASSERT_TRUE(head.comesTrue([&] {
     server.sendFrame(0.0);
     std::this_thread::sleep_for(test::milliseconds(2));
@@ -96,8 +96,8 @@ TEST(NatnetTracker, DeliversThoughTheServersClockStands) {
 
 TEST(NatnetTracker, AsksTheVersionThenDelivers) {
   for (const auto& [major, minor] : {std::pair{3, 1}, {4, 1}}) {
-    Server server(major, minor);
-    Watched head(transportTo(server.port()));
+    MotiveServer server(major, minor);
+    Watched head(natnetAt(server.port()));
     ASSERT_TRUE(delivers(head, server));
     EXPECT_EQ(head.health().state, State::delivering);
     EXPECT_EQ(head.samples[0].sensor, 4);
@@ -109,14 +109,14 @@ TEST(NatnetTracker, AsksTheVersionThenDelivers) {
 }
 
 TEST(NatnetTracker, TellsTheServerThatItIsStillThere) {
-  Server server(3, 0);
-  Watched head(transportTo(server.port()));
+  MotiveServer server(3, 0);
+  Watched head(natnetAt(server.port()));
   EXPECT_TRUE(head.comesTrue([&] { return server.sendFrame(head.now_s()), server.keptAlive() >= 2; }));
 }
 
 TEST(NatnetTracker, CountsGaps) {
-  Server server(4, 0);
-  Watched head(transportTo(server.port()));
+  MotiveServer server(4, 0);
+  Watched head(natnetAt(server.port()));
   ASSERT_TRUE(delivers(head, server));
   const std::uint64_t before = head.health().gaps;
   server.skipFrames(7);
@@ -125,23 +125,23 @@ TEST(NatnetTracker, CountsGaps) {
 }
 
 TEST(NatnetTracker, ComesBackAfterTheServerStartedAnewInAnotherVersion) {
-  auto server = std::make_unique<Server>(3, 0);
+  auto server = std::make_unique<MotiveServer>(3, 0);
   const std::uint16_t port = server->port();
-  Watched head(transportTo(port), 0.1);
+  Watched head(natnetAt(port), 0.1);
   ASSERT_TRUE(delivers(head, *server));
   server.reset();
   ASSERT_TRUE(head.comesTo(State::silent));
   ASSERT_TRUE(head.comesTo(State::connecting)) << "after three seconds without an answer";
   EXPECT_NE(head.health().message.find("no answer"), std::string::npos) << head.health().message;
-  server = std::make_unique<Server>(4, 1, port);
+  server = std::make_unique<MotiveServer>(4, 1, port);
   ASSERT_TRUE(delivers(head, *server));
   EXPECT_EQ(head.health().reconnections, 1u);
 }
 
 // Motive in edit mode: it answers, and sends no frames.
 TEST(NatnetTracker, AServerWithoutFramesIsSilentNotGone) {
-  Server server(4, 1);
-  Watched head(transportTo(server.port()), 0.1);
+  MotiveServer server(4, 1);
+  Watched head(natnetAt(server.port()), 0.1);
   ASSERT_TRUE(delivers(head, server));
   ASSERT_TRUE(head.comesTo(State::silent));
   std::this_thread::sleep_for(std::chrono::milliseconds(3500));  // longer than one that is gone is waited for
@@ -151,8 +151,8 @@ TEST(NatnetTracker, AServerWithoutFramesIsSilentNotGone) {
 }
 
 TEST(NatnetTracker, ListensToItsServerAlone) {
-  Server server(3, 0);
-  Watched head(transportTo(server.port()));
+  MotiveServer server(3, 0);
+  Watched head(natnetAt(server.port()));
   ASSERT_TRUE(delivers(head, server));
   std::this_thread::sleep_for(test::milliseconds(50));
   head.poll();
@@ -166,9 +166,9 @@ TEST(NatnetTracker, ListensToItsServerAlone) {
 }
 
 TEST(NatnetTracker, JoinsAGroup) {
-  Server server(3, 1);
+  MotiveServer server(3, 1);
   const std::uint16_t port = PeerSocket(SOCK_DGRAM).port();
-  Watched head(transportTo(server.port(), fmt::format("?group=239.255.42.97:{}&interface=127.0.0.1", port)));
+  Watched head(natnetAt(server.port(), fmt::format("?group=239.255.42.97:{}&interface=127.0.0.1", port)));
   in_addr loopback{htonl(INADDR_LOOPBACK)};
   setsockopt(server.socket().descriptor(), IPPROTO_IP, IP_MULTICAST_IF, &loopback, sizeof loopback);
   EXPECT_TRUE(head.comesTrue([&] {
@@ -179,8 +179,8 @@ TEST(NatnetTracker, JoinsAGroup) {
 }
 
 TEST(NatnetTracker, AnOldServerNeedsHelp) {
-  Server server(2, 9);
-  Watched head(transportTo(server.port()));
+  MotiveServer server(2, 9);
+  Watched head(natnetAt(server.port()));
   ASSERT_TRUE(head.comesTo(State::failed));
   EXPECT_NE(head.health().message.find("NatNet 2.9"), std::string::npos) << head.health().message;
 }

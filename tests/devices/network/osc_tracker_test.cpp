@@ -14,13 +14,11 @@ namespace carom {
 namespace {
 
 using test::Bytes;
+using test::freePort;
 using test::OscSender;
 using test::PeerSocket;
 using test::Watched;
 using State = TrackerHealth::State;
-
-/// A port that was free a moment ago.
-std::uint16_t freePort() { return PeerSocket(SOCK_DGRAM).port(); }
 
 OscMapping mapping() {
   OscMapping mapping;
@@ -30,7 +28,7 @@ OscMapping mapping() {
   return mapping;
 }
 
-Transport transportAt(std::uint16_t port, const std::string& options = "") {
+Transport oscAt(std::uint16_t port, const std::string& options = "") {
   return oscTransport(readOscSource(fmt::format("udp://127.0.0.1:{}{}", port, options)), mapping());
 }
 
@@ -41,7 +39,7 @@ Bytes pose(float x_m, double time_s = 0.0) {
 
 TEST(OscTracker, DeliversPosesAtTheTimesOfTheBundles) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port));
+  Watched head(oscAt(port));
   const PeerSocket sender(SOCK_DGRAM);
   ASSERT_TRUE(head.comesTrue(
       [&] { return sender.sendTo(pose(-1.0f, 3.9e9 + head.now_s()), port), !head.samples.empty(); }));
@@ -61,7 +59,7 @@ TEST(OscTracker, DeliversPosesAtTheTimesOfTheBundles) {
 
 TEST(OscTracker, DeliversButtons) {
   const std::uint16_t port = freePort();
-  Watched wand(transportAt(port));
+  Watched wand(oscAt(port));
   const PeerSocket sender(SOCK_DGRAM);
   ASSERT_TRUE(wand.comesTrue([&] {
     sender.sendTo(OscSender::message("/wand/100/button/1", {1.0f}), port);
@@ -74,7 +72,7 @@ TEST(OscTracker, DeliversButtons) {
 
 TEST(OscTracker, SaysWhatItCannotReadAndKeepsWhatItCan) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port));
+  Watched head(oscAt(port));
   const PeerSocket sender(SOCK_DGRAM);
   ASSERT_TRUE(head.comesTrue([&] { return sender.sendTo(pose(0.0f), port), !head.samples.empty(); }));
   sender.sendTo(OscSender::nested(1000, pose(0.0f)), port);
@@ -88,7 +86,7 @@ TEST(OscTracker, SaysWhatItCannotReadAndKeepsWhatItCan) {
 
 TEST(OscTracker, NamesTheAddressesThatComeIfNoneFits) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port));
+  Watched head(oscAt(port));
   const PeerSocket sender(SOCK_DGRAM);
   ASSERT_TRUE(head.comesTrue([&] {
     sender.sendTo(OscSender::message("/rigidbody/1", {1.0f}), port);
@@ -104,7 +102,7 @@ TEST(OscTracker, NamesTheAddressesThatComeIfNoneFits) {
 
 TEST(OscTracker, ListensToTheConfiguredSenderAlone) {
   const std::uint16_t port = freePort();
-  Watched head(transportAt(port, "?from=127.0.0.3"));
+  Watched head(oscAt(port, "?from=127.0.0.3"));
   const PeerSocket right(SOCK_DGRAM, 0, "127.0.0.3"), wrong(SOCK_DGRAM, 0, "127.0.0.4");
   ASSERT_TRUE(head.comesTrue([&] {
     wrong.sendTo(pose(7.0f), port);
@@ -116,7 +114,7 @@ TEST(OscTracker, ListensToTheConfiguredSenderAlone) {
 
 TEST(OscTracker, APortThatIsTakenNeedsHelp) {
   const PeerSocket other(SOCK_DGRAM);
-  Watched head(transportAt(other.port()));
+  Watched head(oscAt(other.port()));
   ASSERT_TRUE(head.comesTo(State::failed));
   EXPECT_NE(head.health().message.find("another program listens there"), std::string::npos)
       << head.health().message;

@@ -24,9 +24,9 @@ using test::Watched;
 using State = TrackerHealth::State;
 
 /// Greets one client after another and answers its commands, on a thread of its own.
-class Server {
+class QtmProgram {
  public:
-  explicit Server(std::vector<std::string> names, std::uint16_t port = 0)
+  explicit QtmProgram(std::vector<std::string> names, std::uint16_t port = 0)
       : names_(std::move(names)), listener_(SOCK_STREAM, port) {
     ::listen(listener_.descriptor(), 1);
     thread_ = std::jthread([this](const std::stop_token& stop) { serve(stop); });
@@ -106,18 +106,18 @@ class Server {
   std::jthread thread_;
 };
 
-Transport transportTo(std::uint16_t port, const std::vector<std::string>& names = {}) {
+Transport qtmAt(std::uint16_t port, const std::vector<std::string>& names = {}) {
   return qtmTransport(readQtmServer(fmt::format("tcp://127.0.0.1:{}", port)), names);
 }
 
-bool delivers(Watched& head, Server& server) {
+bool delivers(Watched& head, QtmProgram& server) {
   head.samples.clear();
   return head.comesTrue([&] { return server.sendFrame(head.now_s()), head.samples.size() >= 6; });
 }
 
 TEST(QtmTracker, DeliversBodiesInQtmsOrder) {
-  Server server({"Head", "Wand"});
-  Watched head(transportTo(server.port()));
+  QtmProgram server({"Head", "Wand"});
+  Watched head(qtmAt(server.port()));
   ASSERT_TRUE(delivers(head, server));
   EXPECT_EQ(head.health().state, State::delivering);
   EXPECT_EQ(head.health().names, "QTM's bodies: Head, Wand");
@@ -129,8 +129,8 @@ TEST(QtmTracker, DeliversBodiesInQtmsOrder) {
 }
 
 TEST(QtmTracker, DeliversBodiesByTheirNames) {
-  Server server({"Head", "Wand"});
-  Watched head(transportTo(server.port(), {"Wand", "Hat"}));
+  QtmProgram server({"Head", "Wand"});
+  Watched head(qtmAt(server.port(), {"Wand", "Hat"}));
   ASSERT_TRUE(delivers(head, server));
   for (const TrackerSample& sample : head.samples) {
     EXPECT_EQ(sample.sensor, 0);
@@ -142,8 +142,8 @@ TEST(QtmTracker, DeliversBodiesByTheirNames) {
 
 // A measurement that is started anew, with other bodies.
 TEST(QtmTracker, AsksAgainWhileNoFramesCome) {
-  Server server({"Wand"});
-  Watched head(transportTo(server.port(), {"Head"}));
+  QtmProgram server({"Wand"});
+  Watched head(qtmAt(server.port(), {"Head"}));
   ASSERT_TRUE(head.comesTrue([&] { return server.asked() >= 1; }));
   server.name({"Wand", "Head"});
   ASSERT_TRUE(head.comesTrue([&] { return server.asked() >= 2; }));
@@ -153,8 +153,8 @@ TEST(QtmTracker, AsksAgainWhileNoFramesCome) {
 }
 
 TEST(QtmTracker, CountsGaps) {
-  Server server({"Head"});
-  Watched head(transportTo(server.port()));
+  QtmProgram server({"Head"});
+  Watched head(qtmAt(server.port()));
   ASSERT_TRUE(delivers(head, server));
   const std::uint64_t before = head.health().gaps;
   server.skipFrames(7);
@@ -163,15 +163,15 @@ TEST(QtmTracker, CountsGaps) {
 }
 
 TEST(QtmTracker, ComesBack) {
-  auto server = std::make_unique<Server>(std::vector<std::string>{"Head"});
+  auto server = std::make_unique<QtmProgram>(std::vector<std::string>{"Head"});
   const std::uint16_t port = server->port();
-  Watched head(transportTo(port));
+  Watched head(qtmAt(port));
   ASSERT_TRUE(delivers(head, *server));
   server->send(QtmSender::event(12));
   ASSERT_TRUE(head.comesTo(State::connecting));
   EXPECT_NE(head.health().message.find("it shuts down"), std::string::npos) << head.health().message;
   server.reset();
-  server = std::make_unique<Server>(std::vector<std::string>{"Head"}, port);
+  server = std::make_unique<QtmProgram>(std::vector<std::string>{"Head"}, port);
   ASSERT_TRUE(delivers(head, *server));
   EXPECT_GE(head.health().reconnections, 1u);
   server->hangUp();
@@ -179,9 +179,9 @@ TEST(QtmTracker, ComesBack) {
 }
 
 TEST(QtmTracker, AnOldServerNeedsHelp) {
-  Server server({"Head"});
+  QtmProgram server({"Head"});
   server.refuseVersion();
-  Watched head(transportTo(server.port()));
+  Watched head(qtmAt(server.port()));
   ASSERT_TRUE(head.comesTo(State::failed));
   EXPECT_NE(head.health().message.find("says 'Version NOT supported', expected one that speaks version 1.19"),
             std::string::npos)
@@ -189,8 +189,8 @@ TEST(QtmTracker, AnOldServerNeedsHelp) {
 }
 
 TEST(QtmTracker, SaysWhatQtmSays) {
-  Server server({"Head"});
-  Watched head(transportTo(server.port()));
+  QtmProgram server({"Head"});
+  Watched head(qtmAt(server.port()));
   ASSERT_TRUE(delivers(head, server));
   server.send(QtmSender::text(0, "The license has expired"));
   ASSERT_TRUE(head.comesTrue([&] { return !head.health().message.empty(); }));
@@ -202,8 +202,8 @@ TEST(QtmTracker, SaysWhatQtmSays) {
 // kept for them.
 TEST(QtmTracker, SurvivesSizesThatCannotBe) {
   for (const std::uint32_t size : {4U, 0xfffffff0U}) {
-    Server server({"Head"});
-    Watched head(transportTo(server.port()));
+    QtmProgram server({"Head"});
+    Watched head(qtmAt(server.port()));
     ASSERT_TRUE(delivers(head, server));
     const std::size_t before = test::residentBytes();
     Bytes bad;
@@ -223,7 +223,7 @@ TEST(QtmTracker, SurvivesSizesThatCannotBe) {
 TEST(QtmTracker, AnotherProgramAtThePortIsNamed) {
   const PeerSocket listener(SOCK_STREAM);
   ::listen(listener.descriptor(), 1);
-  Watched head(transportTo(listener.port()));
+  Watched head(qtmAt(listener.port()));
   const PeerSocket client = PeerSocket::acceptedBy(listener);
   client.send(QtmSender::text(1, "HTTP/1.1 400"));
   ASSERT_TRUE(head.comesTrue([&] { return head.health().message.find("greets") != std::string::npos; }));

@@ -34,12 +34,12 @@ Transport transportOf(int key, const std::string& options = "") {
 
 /// A daemon that writes sensor 1 at its own rate, on a thread of its own. Place and angles tell the same
 /// count.
-class Daemon {
+class DaemonThread {
  public:
   /// `torn_us`: how long it pauses in the midst of each pose. `timesFirst`: it writes the time
   /// before the pose.
-  Daemon(const Watched& watched, std::chrono::microseconds period, std::chrono::microseconds torn_us,
-         bool timesFirst, int key)
+  DaemonThread(const Watched& watched, std::chrono::microseconds period, std::chrono::microseconds torn_us,
+               bool timesFirst, int key)
       : writer(2, key),
         timesFirst_(timesFirst),
         thread_([this, &watched, period, torn_us](const std::stop_token& stop) {
@@ -119,7 +119,7 @@ TEST(TrackdTracker, PosesAreNotOfTwoTimes) {
        {std::tuple(false, 1000us, 100us), std::tuple(true, 4000us, 100us), std::tuple(false, 1000us, 200us),
         std::tuple(true, 4000us, 200us), std::tuple(true, 4000us, 600us),
         std::tuple(false, 8000us, 1000us)}) {
-    std::optional<Daemon> daemon;
+    std::optional<DaemonThread> daemon;
     Segment reserved(64);
     const int key = reserved.key();
     reserved.remove();

@@ -9,23 +9,23 @@
 namespace carom {
 namespace {
 
-using Kind = DtrackAnswer::Kind;
-
-void expectAnswer(std::string_view answer, std::string_view asked, Kind kind, std::string_view text) {
+void expectAnswer(std::string_view answer, std::string_view asked, DtrackAnswer::Kind kind,
+                  std::string_view text) {
   const DtrackAnswer read = readDtrackAnswer(answer, asked);
   EXPECT_EQ(read.kind, kind) << answer;
   EXPECT_EQ(read.text, text) << answer;
 }
 
 TEST(DtrackAnswer, IsReadInEachOfItsForms) {
-  expectAnswer("dtrack2 ok", "", Kind::ok, "");
-  expectAnswer("dtrack2 err 12 \"license missing\"", "", Kind::refused, "error 12: license missing");
-  expectAnswer("dtrack2 err -1", "", Kind::refused, "error -1");
-  expectAnswer("dtrack2 set status active mea", "status active", Kind::value, "mea");
-  expectAnswer("dtrack2 set status active mea", "config active_config", Kind::unknown,
+  expectAnswer("dtrack2 ok", "", DtrackAnswer::Kind::ok, "");
+  expectAnswer("dtrack2 err 12 \"license missing\"", "", DtrackAnswer::Kind::refused,
+               "error 12: license missing");
+  expectAnswer("dtrack2 err -1", "", DtrackAnswer::Kind::refused, "error -1");
+  expectAnswer("dtrack2 set status active mea", "status active", DtrackAnswer::Kind::value, "mea");
+  expectAnswer("dtrack2 set status active mea", "config active_config", DtrackAnswer::Kind::unknown,
                "dtrack2 set status active mea");
-  expectAnswer("dtrack2 err x", "", Kind::unknown, "dtrack2 err x");
-  expectAnswer("", "", Kind::unknown, "");
+  expectAnswer("dtrack2 err x", "", DtrackAnswer::Kind::unknown, "dtrack2 err x");
+  expectAnswer("", "", DtrackAnswer::Kind::unknown, "");
 }
 
 TEST(DtrackAnswer, WhateverComesIsPrintableAndShort) {

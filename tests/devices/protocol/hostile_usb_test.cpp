@@ -20,11 +20,11 @@ namespace {
 using test::Bytes;
 
 #if defined(__SANITIZE_THREAD__)
-constexpr int kPackets = 10'000;  // a hundred times slower there, and there is one thread
+constexpr int kUsbPackets = 10'000;  // a hundred times slower there, and there is one thread
 #elif defined(__SANITIZE_ADDRESS__)
-constexpr int kPackets = 100'000;
+constexpr int kUsbPackets = 100'000;
 #else
-constexpr int kPackets = 1'000'000;
+constexpr int kUsbPackets = 1'000'000;
 #endif
 constexpr std::size_t kMostMemory = 1'000'000;  // bytes
 
@@ -43,7 +43,7 @@ void withstand(const std::vector<Bytes>& packets,
   std::mt19937_64 random(seed);
   std::vector<Reading> readings;
   std::size_t made = 0;
-  for (int i = 0; i < kPackets; ++i) {
+  for (int i = 0; i < kUsbPackets; ++i) {
     const Bytes packet =
         test::mutated(packets[random() % packets.size()], packets[random() % packets.size()], random);
     readings.clear();
@@ -52,7 +52,7 @@ void withstand(const std::vector<Bytes>& packets,
     ASSERT_LT(test::bytesHeld(), before + kMostMemory) << "packet " << i;
     for (const Reading& reading : readings) ASSERT_TRUE(sound(reading)) << "packet " << i;
   }
-  EXPECT_GT(made, static_cast<std::size_t>(kPackets) / 100);  // enough of them still made sense
+  EXPECT_GT(made, static_cast<std::size_t>(kUsbPackets) / 100);  // enough of them still made sense
 }
 
 void append(Bytes& bytes, std::initializer_list<float> numbers) {

@@ -19,7 +19,6 @@
 namespace carom {
 namespace {
 
-using test::Meeting;
 using test::twoBars;
 
 struct Row {
@@ -27,7 +26,7 @@ struct Row {
   std::size_t kicks = 0, most = 0, withoutDelay = 0;
 };
 
-Row playRow(const Meeting& meeting, int pairs) {
+Row playRow(const test::BarMeeting& meeting, int pairs) {
   constexpr double kUntil_s = 2000.0;
   Row row;
   for (int n = 0; n < pairs; ++n) {
@@ -177,7 +176,7 @@ void addEnd(const BilliardSetup& setup, Ends& ends) {
 // Their kick leaves them approaching, through each other, or at an angle about which frames disagree.
 TEST(BarsAnyTilt, ThatApproachAfterTheirKickAreSentBack) {
   struct Pair {
-    Meeting meeting;
+    test::BarMeeting meeting;
     unsigned seed;
   };
   const auto pair = [](double thick_m, double beta, double restitution, bool atContact, unsigned seed) {
@@ -214,7 +213,7 @@ TEST(BarsAnyTilt, RecedeFromTheSideThatTheyLastTouched) {
         Ends ends;
         for (const double restitution : {1.0, 0.8}) {
           for (int n = 0; n < pairs; ++n) {
-            const Meeting meeting{thick_m, beta, restitution, atContact, 0.5 * M_PI, 0.12};
+            const test::BarMeeting meeting{thick_m, beta, restitution, atContact, 0.5 * M_PI, 0.12};
             addEnd(test::twoBars(meeting, static_cast<unsigned>(n)), ends);
           }
         }

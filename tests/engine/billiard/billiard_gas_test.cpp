@@ -16,8 +16,6 @@
 namespace carom {
 namespace {
 
-constexpr double kBalance = 1e-10;  // of the total energy
-
 // P(p) ∝ exp(−E/T) d²p gives P(E) dE ∝ E exp(−E/T) dE for E >= 1 (m = c = 1), so
 // P(> E) = (E + T)/(1 + T) exp(−(E−1)/T).
 double juettnerBelow(double energy, double T) {
@@ -69,7 +67,7 @@ TEST(BilliardGas, thermalisesToJuettner) {
     billiard.advanceTo(t_s += 10.0);
     for (const WorldLine& line : billiard.worldLines()) energies.push_back(gammaFromU(line.at(t_s).u));
   }
-  test::expectBalanced(billiard, start, kBalance);
+  test::expectBalanced(billiard, start, test::kBalance);
   expectInsideTable(billiard, *setup.board);
   EXPECT_LT(kolmogorovSmirnov(energies, juettnerTemperature(2.5)), kLargestDistance);
   // Equipartition: p·v = p²/E is on average 2T in the plane; 3 % is four standard deviations.
@@ -102,7 +100,7 @@ TEST(BilliardGas, conservesOverAMillionCollisions) {
     collisions += billiard.events().size() - before;
     billiard.forgetBefore(t_s - 1.0);
   }
-  test::expectBalanced(billiard, start, kBalance);
+  test::expectBalanced(billiard, start, test::kBalance);
   expectInsideTable(billiard, *setup.board);
 }
 
@@ -120,7 +118,7 @@ TEST(BilliardGas, signalAtTheCentre) {
         billiard.advanceTo(t_s);
       EXPECT_GT(billiard.events().size(), 1000u);
       EXPECT_EQ(billiard.ledger().heat_j > 0.0, restitution < 1.0);
-      test::expectBalanced(billiard, start, kBalance);
+      test::expectBalanced(billiard, start, test::kBalance);
       expectInsideTable(billiard, *setup.board);
     }
   }

@@ -23,8 +23,6 @@
 namespace carom {
 namespace {
 
-constexpr double kBalance = 1e-10;  // of the total energy
-
 /// Gives pucks all kinds of spins, inertias, and rough rims.
 void roughen(test::Random& random, BilliardSetup& setup) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -78,7 +76,7 @@ TEST(BilliardSpin, RoughGamesBalanceOverManyCollisions) {
       if (testing::Test::HasFailure()) return;
     }
     EXPECT_GT(collisions, test::casesOf(1000U));
-    test::expectBalanced(billiard, start, kBalance);
+    test::expectBalanced(billiard, start, test::kBalance);
   }
 }
 
@@ -99,7 +97,7 @@ TEST(BilliardSpin, RimsOfNextToNoMassStaySlowerThanLight) {
     Billiard billiard(setup);
     const Ledger start = billiard.ledger();
     billiard.advanceTo(3.0);
-    test::expectBalanced(billiard, start, kBalance);
+    test::expectBalanced(billiard, start, test::kBalance);
     expectSlowerThanLight(billiard, setup);
     for (const WorldLine& line : billiard.worldLines()) {
       for (const Knot& knot : line.knots()) fastest_u = std::max(fastest_u, std::abs(knot.spin.rim_u));
@@ -193,7 +191,7 @@ TEST(BilliardSpin, AGasOfSmoothDiscsFollowsTheLawOfEachMass) {
     for (std::size_t i = 0; i < setup.pucks.size(); ++i)
       energies[i % 3].push_back(masses[i] * gammaFromU(billiard.worldLines()[i].at(t_s).u));
   }
-  test::expectBalanced(billiard, start, kBalance);
+  test::expectBalanced(billiard, start, test::kBalance);
   const double T = temperatureOf(masses, energy_j / static_cast<double>(masses.size()));
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_LT(distanceFromJuettner(energies[k], masses[k], T), kLargestDistance) << "mass " << masses[k];

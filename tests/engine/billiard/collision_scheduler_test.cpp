@@ -1,4 +1,5 @@
 #include "engine/billiard/collision_scheduler.h"
+#include "engine/light_speed.h"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +9,8 @@
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42, kRadius_m = 0.05, kHalf_m = 0.8, kBeta = 0.6, kUntil_s = 8.0;
+using test::kC_m_s;
+constexpr double kRadius_m = 0.05, kHalf_m = 0.8, kBeta = 0.6, kPlayed_s = 8.0;
 constexpr std::size_t kMany = 1000;
 
 /// Two pucks that run against each other along x, mirror images at all times, so that the board is the frame
@@ -41,10 +43,10 @@ TEST(CollisionScheduler, PlaysTheGameThatSmallStepsPlay) {
   const BilliardSetup setup = mirrored();
   CollisionScheduler game(setup);
   GameHistory history(setup);
-  EXPECT_TRUE(game.playUntil(kUntil_s * kC_m_s, kMany, history));
+  EXPECT_TRUE(game.playUntil(kPlayed_s * kC_m_s, kMany, history));
   constexpr double kStep_s = 1e-5;
   Stepped stepped;
-  for (int step = 0; step * kStep_s < kUntil_s; ++step) {
+  for (int step = 0; step * kStep_s < kPlayed_s; ++step) {
     if (step % 1000 == 0) {
       const double t_s = step * kStep_s;
       // Each turn is late by up to a step.
@@ -72,14 +74,14 @@ TEST(CollisionScheduler, ACopyIsAPointToReturnTo) {
   EXPECT_TRUE(game.playUntil(2.0 * kC_m_s, kMany, history));
   const CollisionScheduler copy = game;
   const std::size_t before = history.events().size();
-  EXPECT_TRUE(game.playUntil(kUntil_s * kC_m_s, kMany, history));
+  EXPECT_TRUE(game.playUntil(kPlayed_s * kC_m_s, kMany, history));
   const std::vector<GameEvent> first(history.events().begin(), history.events().end());
   ASSERT_GT(first.size(), before);
   game = copy;
   history.keepEvents(before);
   game.restore(history);
   EXPECT_EQ(history.events().size(), before);
-  EXPECT_TRUE(game.playUntil(kUntil_s * kC_m_s, kMany, history));
+  EXPECT_TRUE(game.playUntil(kPlayed_s * kC_m_s, kMany, history));
   ASSERT_EQ(history.events().size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(history.events()[i].at.t_s, first[i].at.t_s);
 }
@@ -88,10 +90,10 @@ TEST(CollisionScheduler, StopsAtTheMostEvents) {
   const BilliardSetup setup = mirrored();
   CollisionScheduler game(setup);
   GameHistory history(setup);
-  EXPECT_FALSE(game.playUntil(kUntil_s * kC_m_s, 3, history));
+  EXPECT_FALSE(game.playUntil(kPlayed_s * kC_m_s, 3, history));
   EXPECT_GE(history.events().size(), 3u);
   EXPECT_LE(history.events().size(), 4u);
-  EXPECT_LT(game.clock(), kUntil_s * kC_m_s);
+  EXPECT_LT(game.clock(), kPlayed_s * kC_m_s);
 }
 
 }  // namespace

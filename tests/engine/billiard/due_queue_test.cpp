@@ -1,18 +1,16 @@
 #include "engine/billiard/due_queue.h"
 
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "engine/base/never.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // Beside a sorted set of (time, number), which is what the queue stands for. Times are coarse, so that many
 // are equal, and move on as a game's do; the larger number is beyond the heap.

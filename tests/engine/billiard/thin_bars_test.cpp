@@ -11,17 +11,15 @@
 
 #include "engine/billiard/billiard.h"
 #include "engine/corner_games.h"
+#include "engine/light_speed.h"
 #include "engine/sampled_body.h"
 
 namespace carom {
 namespace {
 
-using test::bodyOf;
-using test::rectangle;
-using test::SampledBody;
+using test::bodyOf, test::kC_m_s, test::rectangle, test::SampledBody;
 
-constexpr double kC_m_s = 1.42;
-constexpr double kUntil_s = 4.0;
+constexpr double kGameEnds_s = 4.0;
 
 /// One body on all its legs, with c = 1.
 class PlayedBody {
@@ -95,7 +93,7 @@ bool areThrough(const BilliardSetup& setup, const Billiard& game) {
   std::vector<PlayedBody> bodies;
   for (std::size_t i = 0; i < 2; ++i) bodies.emplace_back(setup.pucks[i], game.worldLines()[i]);
   std::array<SampledWay, 2> ways;
-  for (double t = 0.0; t <= kUntil_s * kC_m_s; t += 5e-4)
+  for (double t = 0.0; t <= kGameEnds_s * kC_m_s; t += 5e-4)
     for (int i = 0; i < 2; ++i)
       ways[i].moveTo(placeIn(bodies[1 - i].at(t), bodies[i].centreAt(t)), setup.pucks[1 - i].outline_m);
   return ways[0].isBehind() || ways[1].isBehind();
@@ -128,14 +126,14 @@ struct Tally {
 // ends.
 void play(const BilliardSetup& setup, Tally& tally) {
   Billiard game(setup);
-  game.advanceTo(kUntil_s);
+  game.advanceTo(kGameEnds_s);
   tally.mostEvents = std::max(tally.mostEvents, game.events().size());
   if (game.events().empty()) return;
   const auto& turns = game.events()[0].turns;
   const Vec2 push = firstPush(game);
   if (!(glm::dot(turns[1].betaAfter - turns[0].betaAfter, push) > 0.05)) return;
   ++tally.sentApart;
-  const auto place = [&](int i) { return game.worldLines()[i].at(kUntil_s).event.r_m; };
+  const auto place = [&](int i) { return game.worldLines()[i].at(kGameEnds_s).event.r_m; };
   const Vec2 apart{place(1).x - place(0).x, place(1).y - place(0).y};
   if (!(glm::dot(apart, push) > 0.0) && areThrough(setup, game)) ++tally.comeThrough;
 }

@@ -10,29 +10,27 @@
 namespace carom {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of momenta of order 1 to 10, times γ
+using test::Random;
 
-class Random : public test::Random {
- public:
-  Random() : test::Random(11) {}
-  Vec21 fourVelocityBelow(double beta) {
-    const double b = in(0.0, beta), angle = in(0.0, 2.0 * std::numbers::pi), u = b / std::sqrt(1.0 - b * b);
-    return fourVelocity(u * std::cos(angle), u * std::sin(angle));
-  }
-};
+constexpr double kKickRounding = 1e-12;  // of momenta of order 1 to 10, times γ
 
-double size(const Vec21& p) { return std::abs(p.t) + std::abs(p.x) + std::abs(p.y); }
+Vec21 fourVelocityBelow(Random& random, double beta) {
+  const double b = random.in(0.0, beta), angle = random.in(0.0, 2.0 * std::numbers::pi);
+  const double u = b / std::sqrt(1.0 - b * b);
+  return fourVelocity(u * std::cos(angle), u * std::sin(angle));
+}
 
 // For any normal: four-momentum with the heat is conserved; elastic kicks make no heat; the velocity along
 // the normal, in the centre-of-mass frame, becomes −e times what it was, and across it stays in the momenta.
 TEST(Kick, pairConservesAndReflects) {
-  Random random;
+  const auto size = [](const Vec21& p) { return std::abs(p.t) + std::abs(p.x) + std::abs(p.y); };
+  Random random(11);
   for (int i = 0; i < 2000; ++i) {
     CASE(random, i);
-    const Vec21 u1 = random.fourVelocityBelow(0.99), u2 = random.fourVelocityBelow(0.99);
+    const Vec21 u1 = fourVelocityBelow(random, 0.99), u2 = fourVelocityBelow(random, 0.99);
     const std::array<double, 2> mass{random.in(0.1, 5.0), random.in(0.1, 5.0)};
     const Vec21 U = (u1 + u2) * (1.0 / std::sqrt(dot(u1 + u2, u1 + u2)));
-    const Vec21 any = random.fourVelocityBelow(0.9);
+    const Vec21 any = fourVelocityBelow(random, 0.9);
     const Vec21 n = cross(U, any);
     const double e = random.in(0.0, 1.0);
     const auto elastic = kickPair(U, n, {u1, u2}, mass, 1.0), lossy = kickPair(U, n, {u1, u2}, mass, e);
@@ -40,7 +38,7 @@ TEST(Kick, pairConservesAndReflects) {
     ASSERT_NE(static_cast<bool>(elastic), static_cast<bool>(opposite));  // they approach along n or along −n
     if (!elastic) continue;
     const Vec21 before = u1 * mass[0] + u2 * mass[1];
-    const double tolerance = kRounding * size(before) * size(before);
+    const double tolerance = kKickRounding * size(before) * size(before);
     const auto momentum = [&](const PairKick& kick, int k) { return kick.u[k] * (mass[k] + kick.heat[k]); };
     for (const auto& kick : {elastic, lossy}) {
       EXPECT_TRUE(size(momentum(*kick, 0) + momentum(*kick, 1) - before) <= tolerance);
@@ -57,20 +55,20 @@ TEST(Kick, pairConservesAndReflects) {
 }
 
 TEST(Kick, cushionReversesTheNormalVelocity) {
-  Random random;
+  Random random(11);
   for (int i = 0; i < 2000; ++i) {
     CASE(random, i);
     const CushionPlane plane{i % 2, i % 4 < 2 ? 1.0 : -1.0, 1.0};
-    const Vec21 u = random.fourVelocityBelow(0.999);
+    const Vec21 u = fourVelocityBelow(random, 0.999);
     const double e = random.in(0.0, 1.0), mass = random.in(0.1, 5.0);
     const auto kick = kickOffCushion(plane, u, mass, e);
     ASSERT_EQ(static_cast<bool>(kick), plane.towards(u) > 0.0);
     if (!kick) continue;
     const auto tangential = [&](const Vec21& v) { return (plane.axis == 0 ? v.y : v.x) / v.t; };
-    EXPECT_TRUE(std::abs(plane.towards(kick->u) / kick->u.t + e * plane.towards(u) / u.t) <= kRounding);
-    EXPECT_TRUE(std::abs(tangential(kick->u) - tangential(u)) <= kRounding);
+    EXPECT_TRUE(std::abs(plane.towards(kick->u) / kick->u.t + e * plane.towards(u) / u.t) <= kKickRounding);
+    EXPECT_TRUE(std::abs(tangential(kick->u) - tangential(u)) <= kKickRounding);
     // The cushion takes no energy: it stays in the puck, as motion and as heat.
-    EXPECT_TRUE(std::abs((mass + kick->heat) * kick->u.t - mass * u.t) <= kRounding * mass * u.t);
+    EXPECT_TRUE(std::abs((mass + kick->heat) * kick->u.t - mass * u.t) <= kKickRounding * mass * u.t);
   }
 }
 

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-class Random : public test::Random {
+class RandomPucks : public test::Random {
  public:
-  explicit Random(std::uint64_t seed) : test::Random(seed) {}
+  using test::Random::Random;
   /// Up to 0.999 c, slow ones and nearly the fastest ones often.
   double beta() { return in(0.0, 1.0) < 0.3 ? 0.999 - in(0.0, 0.05) : 0.999 * in(0.0, 1.0) * in(0.0, 1.0); }
   SpinningPuck puck() {
@@ -42,14 +42,14 @@ Vec21 momentum(const SpinningPuck& puck, const Vec21& u, double j, double heat) 
 Vec21 momentum(const SpinningPuck& puck) { return momentum(puck, puck.u, puck.j, 0.0); }
 
 /// Two pucks, and the geometry of a contact between them.
-struct Pair {
+struct SpinningPair {
   std::array<SpinningPuck, 2> pucks;
   Vec21 U, n;
 };
 
 /// Half of these pairs approach.
-Pair randomPair(Random& random) {
-  Pair pair{{random.puck(), random.puck()}, {}, {}};
+SpinningPair randomSpinningPair(RandomPucks& random) {
+  SpinningPair pair{{random.puck(), random.puck()}, {}, {}};
   const Vec21 sum = pair.pucks[0].u + pair.pucks[1].u;
   pair.U = sum * (1.0 / std::sqrt(dot(sum, sum)));
   const double angle = random.in(0.0, 2.0 * std::numbers::pi);
@@ -62,7 +62,7 @@ struct Axes {
   Vec21 centre, k, t;
 };
 
-Axes axesOf(const Pair& pair) {
+Axes axesOf(const SpinningPair& pair) {
   const Vec21 P = momentum(pair.pucks[0]) + momentum(pair.pucks[1]);
   Vec21 k = pair.n - pair.U * (dot(pair.n, P) / dot(pair.U, P));
   k = k * (1.0 / std::sqrt(-dot(k, k)));
@@ -79,11 +79,11 @@ Vec21 rimVelocity(const SpinningBody& body, double j, const Vec21& u, const Vec2
 }
 
 TEST(RimFriction, APairKeepsItsFourMomentumWithTheHeat) {
-  Random random(1);
+  RandomPucks random(1);
   int kicked = 0;
   for (int i = 0; i < 20000; ++i) {
     CASE(random, i);
-    const Pair pair = randomPair(random);
+    const SpinningPair pair = randomSpinningPair(random);
     const RimRules rules = random.rules();
     const auto kick = kickSpinningPair(pair.U, pair.n, pair.pucks, rules);
     if (!kick) continue;
@@ -103,7 +103,7 @@ TEST(RimFriction, APairKeepsItsFourMomentumWithTheHeat) {
 // the wall the normal velocity becomes −e times what it was; the tangential impulse is within Coulomb's
 // limit.
 TEST(RimFriction, ACushionTurnsByTheImpulseAtTheRim) {
-  Random random(2);
+  RandomPucks random(2);
   for (int i = 0; i < 20000; ++i) {
     CASE(random, i);
     const CushionPlane plane{i % 2, i % 4 < 2 ? 1.0 : -1.0, 1.0};
@@ -130,7 +130,7 @@ TEST(RimFriction, ACushionTurnsByTheImpulseAtTheRim) {
 // Without slip the touching points of both rims move with the patch, and the touching point rests on a
 // cushion.
 TEST(RimFriction, RimsThatDoNotSlideRestOnEachOther) {
-  Random random(3);
+  RandomPucks random(3);
   for (int i = 0; i < 5000; ++i) {
     CASE(random, i);
     const RimRules rules{random.in(0.0, 1.0), kInfinity, 0.0};
@@ -139,7 +139,7 @@ TEST(RimFriction, RimsThatDoNotSlideRestOnEachOther) {
       const Vec21 rim = rimVelocity(puck.body, kick->j, kick->centre.u, {0.0, 1.0, 0.0});
       EXPECT_NEAR(rim.y, 0.0, 1e-9 * kick->centre.u.t);
     }
-    const Pair pair = randomPair(random);
+    const SpinningPair pair = randomSpinningPair(random);
     const auto kick = kickSpinningPair(pair.U, pair.n, pair.pucks, rules);
     if (!kick) continue;
     const Axes axes = axesOf(pair);
@@ -159,10 +159,10 @@ SpinningPuck mirrored(const SpinningPuck& puck) { return {puck.body, -puck.j, mi
 // Mirror images are kicked to mirror images, whose spins have the other sign; and which puck is the first
 // does not matter.
 TEST(RimFriction, HasTheSymmetriesOfAPair) {
-  Random random(4);
+  RandomPucks random(4);
   for (int i = 0; i < 10000; ++i) {
     CASE(random, i);
-    const Pair pair = randomPair(random);
+    const SpinningPair pair = randomSpinningPair(random);
     const RimRules rules = random.rules();
     const auto kick = kickSpinningPair(pair.U, pair.n, pair.pucks, rules);
     const auto mirror = kickSpinningPair(mirrored(pair.U), mirrored(pair.n),
@@ -191,7 +191,7 @@ TEST(RimFriction, HasTheSymmetriesOfAPair) {
 
 // An elastic rough kick makes no heat, and turned back in time it gives the start.
 TEST(RimFriction, AnElasticKickIsReversible) {
-  Random random(5);
+  RandomPucks random(5);
   const RimRules elastic{1.0, kInfinity, 1.0};
   const CushionPlane plane{0, 1.0, 1.0};
   for (int i = 0; i < 5000; ++i) {
@@ -212,10 +212,10 @@ TEST(RimFriction, AnElasticKickIsReversible) {
 
 // Without friction nothing is new: to the bit.
 TEST(RimFriction, WithoutItKicksAreThoseOfSmoothPucks) {
-  Random random(6);
+  RandomPucks random(6);
   for (int i = 0; i < 5000; ++i) {
     CASE(random, i);
-    const Pair pair = randomPair(random);
+    const SpinningPair pair = randomSpinningPair(random);
     const RimRules rules{random.in(0.0, 1.0), 0.0, random.in(0.0, 1.0)};
     const auto [first, second] = pair.pucks;
     const auto kick = kickSpinningPair(pair.U, pair.n, pair.pucks, rules);

@@ -14,12 +14,9 @@ namespace {
 
 using colour_kernel::blackBody;
 using colour_kernel::seenColour;
-using test::screenSteps;
-using test::seenOf;
+using test::kObserverTolerance, test::kOneScreenStep, test::screenSteps, test::seenOf;
 
-constexpr double kOneScreenStep = 1.0;
-constexpr double kObserverTolerance = 0.005;  // in x, y: as in spectrum_test.cpp
-constexpr double kSlowest = 0.15;             // Doppler factors of these tests
+constexpr double kSlowest = 0.15;  // Doppler factors of these tests
 constexpr double kFastest = 6.5;
 
 /// The light that a body reflects, followed from the lamp to the head as the laws are written.

@@ -9,14 +9,8 @@
 namespace carom {
 namespace {
 
-using test::chromaticityOf;
-using test::planckianLocus;
-using test::screenSteps;
-using test::seenOf;
-
-// The half-width Gaussians are that far from the tabulated observer (a just noticeable step is about 0.003).
-constexpr double kObserverTolerance = 0.005;
-constexpr double kOneScreenStep = 1.0;
+using test::chromaticityOf, test::kObserverTolerance, test::kOneScreenStep, test::planckianLocus,
+    test::screenSteps, test::seenOf;
 
 TEST(BlackBody, RadiatesAsStefanAndBoltzmann) {
   for (const double temperature_K : {300.0, 3200.0, 6500.0, 20000.0}) {

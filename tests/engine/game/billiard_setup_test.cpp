@@ -4,12 +4,13 @@
 
 #include <cmath>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 Puck randomPuck(test::Random& random) {
   Puck puck;

@@ -1,17 +1,17 @@
 #include "engine/game/game_history.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
+#include "engine/base/never.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using test::kC_m_s;
 
 BilliardSetup twoPucks(double friction_m_s2) {
   BilliardSetup setup;
@@ -123,11 +123,11 @@ TEST(GameHistory, EventsAreNumberedChangedAndForgotten) {
   EXPECT_EQ(history.eventCount(), 3u);
   EXPECT_EQ(history.takeUnchangedEvents(), 3u);
 
-  EXPECT_EQ(history.takeChangedFrom_s(), kInfinity);
+  EXPECT_EQ(history.takeChangedFrom_s(), kNever);
   history.noteChange({2.84, 0.0, 0.0});
   history.noteChange({4.26, 0.0, 0.0});
   EXPECT_NEAR(history.takeChangedFrom_s(), 2.0, 1e-15);
-  EXPECT_EQ(history.takeChangedFrom_s(), kInfinity);
+  EXPECT_EQ(history.takeChangedFrom_s(), kNever);
 
   history.forgetBefore(1.5);
   EXPECT_EQ(history.forgottenEvents(), 0u) << "the turn of the first is to come";

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-constexpr double kRadius = 0.03;
+constexpr double kRadius_m = 0.03;
 
 PuckStroke strokeOf(double px, double py, double offset) {
   PuckStroke stroke;
@@ -23,8 +23,8 @@ PuckStroke strokeOf(double px, double py, double offset) {
 TEST(StrokeKick, APuckAtRestGetsTheSpinOfTheLever) {
   const SpinningBody body{0.2, 0.1};
   for (const double offset : {-0.02, -0.001, 0.01, 0.03}) {
-    const StruckPuck struck = struckPuck(body, kRadius, strokeOf(0.03, 0.04, offset), {1.0, 0.0, 0.0}, 0.0);
-    EXPECT_NEAR(struck.j, offset * 0.05 / kRadius, 1e-15) << offset;
+    const StruckPuck struck = struckPuck(body, kRadius_m, strokeOf(0.03, 0.04, offset), {1.0, 0.0, 0.0}, 0.0);
+    EXPECT_NEAR(struck.j, offset * 0.05 / kRadius_m, 1e-15) << offset;
     EXPECT_NEAR(struck.u.x * restMass(body, struck.j), 0.03, 1e-15);
     EXPECT_NEAR(struck.u.y * restMass(body, struck.j), 0.04, 1e-15);
   }
@@ -40,7 +40,7 @@ TEST(StrokeKick, MomentumAndSpinAreThoseOfASlowIteration) {
     const Vec21 u = fourVelocity(random.in(-1.5, 1.5), random.in(-1.5, 1.5));
     const double j = random.in(-0.1, 0.1);
     const PuckStroke stroke = strokeOf(random.in(-1.0, 1.0), random.in(-1.0, 1.0), random.in(-0.01, 0.01));
-    const StruckPuck struck = struckPuck(body, kRadius, stroke, u, j);
+    const StruckPuck struck = struckPuck(body, kRadius_m, stroke, u, j);
     const double mass = restMass(body, j), after = restMass(body, struck.j);
     EXPECT_NEAR(struck.u.x * after, u.x * mass + stroke.px, 1e-13);
     EXPECT_NEAR(struck.u.y * after, u.y * mass + stroke.py, 1e-13);
@@ -58,7 +58,7 @@ TEST(StrokeKick, MomentumAndSpinAreThoseOfASlowIteration) {
       // det(u, d, given), row by row.
       const double det = u.t * (d.x * given.y - d.y * given.x) - u.x * (d.t * given.y - d.y * given.t) +
                          u.y * (d.t * given.x - d.x * given.t);
-      slow = 0.5 * (slow + j + det / kRadius);
+      slow = 0.5 * (slow + j + det / kRadius_m);
     }
     EXPECT_NEAR(struck.j, slow, 1e-12);
   }
@@ -71,9 +71,9 @@ TEST(StrokeKick, MirrorImagesAreMirroredToTheBit) {
     const SpinningBody body{0.2, random.in(0.02, 0.1)};
     const Vec21 u = fourVelocity(random.in(-1.5, 1.5), random.in(-1.5, 1.5));
     const double j = random.in(-0.1, 0.1), px = random.in(-1.0, 1.0), py = random.in(-1.0, 1.0);
-    const double offset = random.in(-2.0 * kRadius, 2.0 * kRadius);
-    const StruckPuck one = struckPuck(body, kRadius, strokeOf(px, py, offset), u, j);
-    const StruckPuck image = struckPuck(body, kRadius, strokeOf(px, -py, -offset), {u.t, u.x, -u.y}, -j);
+    const double offset = random.in(-2.0 * kRadius_m, 2.0 * kRadius_m);
+    const StruckPuck one = struckPuck(body, kRadius_m, strokeOf(px, py, offset), u, j);
+    const StruckPuck image = struckPuck(body, kRadius_m, strokeOf(px, -py, -offset), {u.t, u.x, -u.y}, -j);
     EXPECT_EQ(one.u.x, image.u.x);
     EXPECT_EQ(one.u.y, -image.u.y);
     EXPECT_EQ(one.j, -image.j);
@@ -82,7 +82,7 @@ TEST(StrokeKick, MirrorImagesAreMirroredToTheBit) {
 
 TEST(StrokeKick, AStrokeThroughTheCentreKeepsTheSpin) {
   const SpinningBody body{0.2, 0.05};
-  const StruckPuck struck = struckPuck(body, kRadius, strokeOf(0.3, 0.0, 0.0), {1.0, 0.0, 0.0}, 0.04);
+  const StruckPuck struck = struckPuck(body, kRadius_m, strokeOf(0.3, 0.0, 0.0), {1.0, 0.0, 0.0}, 0.04);
   EXPECT_EQ(struck.j, 0.04);
   EXPECT_NEAR(struck.u.x, 0.3 / restMass(body, 0.04), 1e-15);
 }

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-constexpr double kRadius_m = 0.05, kMass_kg = 0.2, kApart_m = 0.6;
+constexpr double kDiscRadius_m = 0.05, kMass_kg = 0.2, kApart_m = 0.6;
 
 /// Two discs that come towards each other with ±beta.
 GameState headOn(double beta, CollisionEvent event) {
@@ -20,8 +20,8 @@ GameState headOn(double beta, CollisionEvent event) {
   setup.lightSpeed_m_s = 1.0;
   setup.board = Board{2.0, 2.0};
   setup.rules.collisionEvent = event;
-  setup.pucks = {Puck{"a", kRadius_m, 0.02, kMass_kg, {-0.5 * kApart_m, 0.0}, {beta, 0.0}},
-                 Puck{"b", kRadius_m, 0.02, kMass_kg, {0.5 * kApart_m, 0.0}, {-beta, 0.0}}};
+  setup.pucks = {Puck{"a", kDiscRadius_m, 0.02, kMass_kg, {-0.5 * kApart_m, 0.0}, {beta, 0.0}},
+                 Puck{"b", kDiscRadius_m, 0.02, kMass_kg, {0.5 * kApart_m, 0.0}, {-beta, 0.0}}};
   return GameState(setup);
 }
 
@@ -32,7 +32,7 @@ TEST(DiscPair, MeetsWhereTheContractedRimsDo) {
     const GameState game = headOn(beta, CollisionEvent::centre);
     const double gamma = 1.0 / std::sqrt(1.0 - beta * beta);
     const GameContact found = kDiscPair.contactOf(game, {0, 1}, false);
-    EXPECT_NEAR(found.contact.event.t, (0.5 * kApart_m - kRadius_m / gamma) / beta, 1e-11);
+    EXPECT_NEAR(found.contact.event.t, (0.5 * kApart_m - kDiscRadius_m / gamma) / beta, 1e-11);
     EXPECT_NEAR(found.contact.event.x, 0.0, 1e-11);
     EXPECT_NEAR(found.contact.event.y, 0.0, 1e-11);
     EXPECT_EQ(found.jam, JamLaw::plastic);
@@ -75,10 +75,10 @@ TEST(DiscAtCushion, TouchesWithItsContractedRim) {
                  way_m = wall_m + 0.5 * kApart_m;
     const auto found = kDiscAtCushion.touchOf(game, 0, game.legOf(0), {}, 0);
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->event.t, (way_m - kRadius_m / gamma) / beta, 1e-11);
+    EXPECT_NEAR(found->event.t, (way_m - kDiscRadius_m / gamma) / beta, 1e-11);
     EXPECT_NEAR(found->event.x, wall_m, 1e-11);
     EXPECT_NEAR(found->event.y, 0.0, 1e-11);
-    const double own = (way_m - gamma * kRadius_m) / (gamma * beta) + kRadius_m;
+    const double own = (way_m - gamma * kDiscRadius_m) / (gamma * beta) + kDiscRadius_m;
     EXPECT_NEAR(found->turn.properTime, own, 1e-11);
     EXPECT_NEAR(found->turn.x.t, gamma * own, 1e-11);
     const auto kick = kDiscAtCushion.kick(game, 0, 0, found->event, found->turn, 0.0, 1.0);

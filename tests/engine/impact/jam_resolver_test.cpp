@@ -11,13 +11,14 @@
 
 #include "engine/balance.h"
 #include "engine/billiard/billiard.h"
+#include "engine/light_speed.h"
 #include "engine/random_game.h"
 #include "sanitized.h"
 
 namespace carom {
 namespace {
 
-constexpr double kRadius_m = 0.0305, kC_m_s = 1.42;
+constexpr double kPuckRadius_m = 0.0305;
 
 enum class Pile { row, rack, packed, atCushion, inCorner, driven };
 
@@ -46,14 +47,14 @@ double massOf(const Game& game, std::mt19937_64& random) {
 
 double radiusOf(const Game& game, std::mt19937_64& random) {
   const double unit = static_cast<double>(random() >> 11) * 0x1.0p-53;
-  return game.mixed ? kRadius_m * (0.8 + 0.2 * unit) : kRadius_m;
+  return game.mixed ? kPuckRadius_m * (0.8 + 0.2 * unit) : kPuckRadius_m;
 }
 
 // A pile at rest, hit by one at 0.7 c; or all of it driven.
 BilliardSetup setupOf(const Game& game) {
   std::mt19937_64 random(game.seed);
   BilliardSetup setup;
-  setup.lightSpeed_m_s = kC_m_s;
+  setup.lightSpeed_m_s = test::kC_m_s;
   const double length_m = game.pucks > 60 ? 3.6 : 2.84, width_m = game.pucks > 60 ? 2.0 : 1.42;
   if (game.board) setup.board = Board{length_m, width_m};
   setup.rules = {game.restitution, game.cushionRestitution, game.friction_m_s2, game.convention};
@@ -62,7 +63,7 @@ BilliardSetup setupOf(const Game& game) {
     name.insert(0, 3 - name.size(), '0');
     setup.pucks.push_back({name, radiusOf(game, random), 0.02, massOf(game, random), at_m, beta});
   };
-  const double step_m = kRadius_m * (2.0 + game.gap), up_m = 0.5 * std::sqrt(3.0) * step_m;
+  const double step_m = kPuckRadius_m * (2.0 + game.gap), up_m = 0.5 * std::sqrt(3.0) * step_m;
   const int columns = static_cast<int>(std::ceil(std::sqrt(game.pucks)));
   const int rows = (game.pucks + columns - 1) / columns;
   if (game.pile == Pile::row) {
@@ -96,11 +97,11 @@ BilliardSetup setupOf(const Game& game) {
 
 // A puck takes 64 kicks in the time in which light crosses its radius before it is pressed.
 std::size_t mostEvents(const Game& game, double until_s) {
-  const double crossings = until_s * kC_m_s / kRadius_m;
+  const double crossings = until_s * test::kC_m_s / kPuckRadius_m;
   return static_cast<std::size_t>(64 * (1.0 + crossings)) * static_cast<std::size_t>(game.pucks + 1);
 }
 
-void expectInside(const Billiard& billiard, const BilliardSetup& setup) {
+void expectStrictlyInside(const Billiard& billiard, const BilliardSetup& setup) {
   if (!setup.board) return;
   for (const WorldLine& line : billiard.worldLines()) {
     for (const Knot& knot : line.knots()) {
@@ -167,7 +168,7 @@ void playThrough(const Game& game, double until_s, std::size_t mostEvents) {
     ASSERT_LE(billiard.events().size(), mostEvents) << "at " << step * 0.01 << " s";
   }
   test::expectBalanced(billiard, start, 1e-11);
-  expectInside(billiard, setup);
+  expectStrictlyInside(billiard, setup);
   expectEventsBalance(billiard, setup);
   if (game.restitution == 1.0 && game.cushionRestitution == 1.0) {
     EXPECT_TRUE(billiard.jams().empty());
@@ -257,7 +258,7 @@ TEST(Jam, cushionsAlsoPress) {
       expectProgress(billiard, setup);
     }
     test::expectBalanced(billiard, start, 1e-11);
-    expectInside(billiard, setup);
+    expectStrictlyInside(billiard, setup);
     if (HasFailure()) return;
   }
 }
@@ -396,7 +397,7 @@ TEST(Jam, ofOneRowIsNoneOfAnotherBeside) {
     BilliardSetup both = alone;
     for (Puck puck : alone.pucks) {
       puck.name.insert(0, "beside ");
-      puck.position_m += Vec2(0.003, 2.5 * kRadius_m);
+      puck.position_m += Vec2(0.003, 2.5 * kPuckRadius_m);
       both.pucks.push_back(puck);
     }
     Billiard one(alone), two(both);

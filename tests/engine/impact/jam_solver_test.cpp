@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "engine/base/never.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -18,7 +18,6 @@ namespace {
 
 using Vec2 = glm::dvec2;
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSpeed = 1e-3;  // of light: Newton's mechanics are right to a millionth of it
 
 JamBody bodyAt(const Vec2& place, const Vec2& u, double mass, double radius, int number) {

@@ -12,15 +12,12 @@
 #include "engine/billiard/billiard.h"
 #include "engine/billiard/collision_scheduler.h"
 #include "engine/corner_games.h"
+#include "engine/light_speed.h"
 
 namespace carom {
 namespace {
 
-using test::bodyOf;
-using test::cornerGame;
-using test::rectangle;
-
-constexpr double kC_m_s = 1.42;
+using test::bodyOf, test::cornerGame, test::kC_m_s, test::rectangle;
 
 /// All numbers of a world line up to a time; a game may know a little more.
 std::vector<double> digitsOf(const WorldLine& line, double until_s) {

@@ -7,12 +7,13 @@
 #include <cmath>
 
 #include "engine/light/light_cone.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 constexpr double kHour_s = 3600.0, kDay_s = 86400.0;
 
 WorldLine movedBy(const WorldLine& line, double later_s) {

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <glm/gtc/quaternion.hpp>
 
+#include "engine/light/point_history.h"
 #include "engine/light/ring_view.h"
-#include "engine/light/vertex_history.h"
 #include "engine/meshes.h"
 #include "engine/spacetime/observers.h"
 #include "reference/ray_reference.h"
@@ -17,8 +17,7 @@
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr double kRounding_m = 1e-11;  // coordinates of metres, a chain of 20 boosts with γ up to 2.3
+using test::kC_m_s, test::kHistoryRounding_m, test::placeAt;
 
 std::vector<reference::Leg> referenceLegs(const WorldLine& line) {
   std::vector<reference::Leg> legs;
@@ -29,10 +28,6 @@ std::vector<reference::Leg> referenceLegs(const WorldLine& line) {
                     0.0});
   }
   return legs;
-}
-
-Vec3 placeAt(const std::vector<VertexPiece>& history, double t_s) {
-  return carom::placeAt(pieceAt(history, t_s), t_s, kC_m_s);
 }
 
 /// Every piece is slower than light and ends where the next begins. Returns the longest jump (metres).
@@ -68,7 +63,7 @@ TEST(BounceChain, HundredThousandWorldLinesAreContinuousSlowerThanLightAndSeenOn
                    << "world line " << i << " with " << bounces << " bounces, point " << k);
       const auto history = vertexHistory(line, offset_m);
       const double jump_m = longestJump_m(history);
-      ASSERT_LT(jump_m, kRounding_m);
+      ASSERT_LT(jump_m, kHistoryRounding_m);
       longestJump = std::max(longestJump, jump_m);
 
       // f(t) = c (t_o − t) − |r_o − r(t)| at any times: falls strictly, and so has one root.
@@ -89,7 +84,7 @@ TEST(BounceChain, HundredThousandWorldLinesAreContinuousSlowerThanLightAndSeenOn
       }
       const Event seen = eventOnPastCone(history, eye, kC_m_s);
       ASSERT_LT(std::abs(f(seen.t_s)), 1e-9);
-      ASSERT_LT(glm::length(placeAt(history, seen.t_s) - seen.r_m), kRounding_m * 20);
+      ASSERT_LT(glm::length(placeAt(history, seen.t_s) - seen.r_m), kHistoryRounding_m * 20);
 
       if (k % 10 != 0) continue;  // the slow way, with boosts of its own
       const reference::PointLine slow(legs, offset_m);

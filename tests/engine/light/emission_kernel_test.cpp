@@ -5,12 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "engine/light/light_cone.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 struct Seen {
   double t_m = 0.0;  // c (t − t_o) on the board

@@ -4,19 +4,15 @@
 
 #include <algorithm>
 
-#include "engine/light/vertex_history.h"
+#include "engine/light/point_history.h"
 #include "engine/random_world.h"
 #include "sanitized.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s, test::placeAt;
 constexpr double kRounding_m = 1e-10;  // metres travelled by light, double rounding through γ up to 7
-
-Vec3 placeAt(const std::vector<VertexPiece>& history, double t_s) {
-  return carom::placeAt(pieceAt(history, t_s), t_s, kC_m_s);
-}
 
 /// The root of f(t) = c (t_o − t) − |r_o − r(t)| by bisection: f falls strictly, since the point is slower
 /// than light.

@@ -6,12 +6,13 @@
 #include <array>
 #include <cmath>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 std::vector<Vec3> randomPath(test::Random& random) {
   std::vector<Vec3> path_m;

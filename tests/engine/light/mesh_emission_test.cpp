@@ -4,33 +4,29 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/light/vertex_history.h"
+#include "engine/light/point_history.h"
 #include "engine/meshes.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s, test::placeAt;
 constexpr double kOneLegError = 1e-6;  // of the distance: a few float roundings through γ up to 3
 constexpr double kBounceError = 2e-5;  // of the distance: through the frames of two legs, γ up to 2.3 each
 
-Vec3 placeAt(const std::vector<VertexPiece>& history, double t_s) {
-  return carom::placeAt(pieceAt(history, t_s), t_s, kC_m_s);
-}
-
 /// One random body as one random eye sees it.
-struct Case {
+struct SeenBody {
   WorldLine line;
   Event eye;
   Lorentz headFromBoard;
   BodyView view;
 };
 
-Case randomCase(test::Random& random, double radius_m, int bounces, double maxBeta) {
+SeenBody randomSeenBody(test::Random& random, double radius_m, int bounces, double maxBeta) {
   const WorldLine line =
       test::randomWorldLine(random, kC_m_s, radius_m, bounces, random.in(0.02, 0.5), maxBeta);
   const Event eye{random.in(-0.5, line.knots().back().turn.t_s + 1.5), random.inBox(2.0)};
-  Case made{line, eye, Lorentz::boost(random.u(0.95), kC_m_s), {}};
+  SeenBody made{line, eye, Lorentz::boost(random.u(0.95), kC_m_s), {}};
   viewBody(made.line, made.eye, made.headFromBoard, made.view);
   return made;
 }
@@ -41,7 +37,7 @@ TEST(MeshEmission, MatchesTheKernelInDouble) {
   int bodies[4]{};
   for (int i = 0; i < 6000; ++i) {
     CASE(random, i);
-    const Case made = randomCase(random, 0.1, i % 8, 0.9);
+    const SeenBody made = randomSeenBody(random, 0.1, i % 8, 0.9);
     const test::Cloud cloud = test::randomCloud(random, 37, 0.1);
     test::SeenCloud seen(37);
     EXPECT_EQ(seePoints(made.view, cloud.points(), seen.points()), 0U);
@@ -91,7 +87,7 @@ TEST(MeshEmission, CatchingUpVerticesKeepTheDopplerFactorOfTheirIncomingLeg) {
   int catchingUp = 0;
   for (int i = 0; i < 4000; ++i) {
     CASE(random, i);
-    const Case made = randomCase(random, 0.1, 1 + i % 3, 0.9);
+    const SeenBody made = randomSeenBody(random, 0.1, 1 + i % 3, 0.9);
     const test::Cloud cloud = test::randomCloud(random, 8, 0.1);
     test::SeenCloud seen(8);
     seePoints(made.view, cloud.points(), seen.points());
@@ -122,7 +118,7 @@ TEST(MeshEmission, OneRootThroughChainsOfBouncesForHundredThousandVertices) {
     CASE(random, i);
     const double radius_m = random.in(0.02, 0.3);
     const int bounces = static_cast<int>(random.in(1, 21));
-    const Case made = randomCase(random, radius_m, bounces, 0.9);
+    const SeenBody made = randomSeenBody(random, radius_m, bounces, 0.9);
     const test::Cloud cloud = test::randomCloud(random, kVertices, radius_m);
     test::SeenCloud seen(kVertices);
     seePoints(made.view, cloud.points(), seen.points());
@@ -168,7 +164,7 @@ TEST(MeshEmission, SameBitsForSlicesThreadsAndInstructionSets) {
   int bodies[4]{};
   for (int i = 0; i < 60; ++i) {
     CASE(random, i);
-    const Case made = randomCase(random, 0.1, i % 6, 0.9);
+    const SeenBody made = randomSeenBody(random, 0.1, i % 6, 0.9);
     ++bodies[std::min<std::size_t>(made.view.legs.size(), 3)];
     const std::size_t count = 3 * MeshView::kSlice + 77;
     const test::Cloud cloud = test::randomCloud(random, count, 0.1);
@@ -201,7 +197,7 @@ TEST(MeshEmission, PlacesDoNotDependOnWhatElseIsAsked) {
   test::Random random(26);
   for (int i = 0; i < 100; ++i) {
     CASE(random, i);
-    const Case made = randomCase(random, 0.1, i % 6, 0.9);
+    const SeenBody made = randomSeenBody(random, 0.1, i % 6, 0.9);
     const test::Cloud cloud = test::randomCloud(random, 100, 0.1);
     test::SeenCloud all(100);
     test::SeenCloud places(100);
@@ -265,7 +261,7 @@ TEST(MeshEmission, OwnClocksAreThoseOfTheSinglePoint) {
   test::Random random(28);
   for (int i = 0; i < 300; ++i) {
     CASE(random, i);
-    const Case made = randomCase(random, 0.1, i % 5, 0.9);
+    const SeenBody made = randomSeenBody(random, 0.1, i % 5, 0.9);
     const test::Cloud cloud = test::randomCloud(random, 10, 0.1);
     RigidMeshView view(made.line, cloud.points());
     view.look(made.eye, made.headFromBoard);

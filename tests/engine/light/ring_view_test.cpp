@@ -4,12 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 constexpr std::size_t kVertices = 40, kSamples = 30;
 
 /// A ring of random ways, and the same as plain lists of events.

@@ -12,15 +12,16 @@
 #include <glm/geometric.hpp>
 
 #include "engine/light/point_emission.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr std::size_t kVertices = 3;
+using test::kC_m_s;
 
 struct Flight {
+  static constexpr std::size_t kVertices = 3;
   std::vector<double> times_s;
   std::vector<Vec3> places_m;  ///< of all vertices at each time
 
@@ -36,7 +37,7 @@ Flight randomFlight(test::Random& random, int rows) {
   Flight flight;
   double t_s = random.in(-1.0, 1.0);
   std::vector<Vec3> places_m;
-  for (std::size_t k = 0; k < kVertices; ++k) places_m.push_back(random.inBox(1.0));
+  for (std::size_t k = 0; k < Flight::kVertices; ++k) places_m.push_back(random.inBox(1.0));
   for (int row = 0; row < rows; ++row) {
     flight.times_s.push_back(t_s);
     flight.places_m.insert(flight.places_m.end(), places_m.begin(), places_m.end());
@@ -59,10 +60,10 @@ TEST(SampledHistory, LightComesFromWhereBisectionFindsIt) {
     const Flight flight = randomFlight(random, 2 + i % 9);
     const SampledHistory history(kC_m_s, flight.times_s, flight.places_m);
     ASSERT_EQ(history.rowCount(), flight.times_s.size());
-    ASSERT_EQ(history.vertexCount(), kVertices);
+    ASSERT_EQ(history.vertexCount(), Flight::kVertices);
     const Event eye{flight.times_s.front() + random.in(-0.5, 6.0), random.inBox(3.0)};
     const Lorentz headFromBoard = Lorentz::boost(random.u(0.9), kC_m_s);
-    for (std::size_t vertex = 0; vertex < kVertices; ++vertex) {
+    for (std::size_t vertex = 0; vertex < Flight::kVertices; ++vertex) {
       const auto found = history.seenAt(vertex, eye, headFromBoard);
       const double first_s = flight.times_s.front();
       if (lateBy_m(flight, first_s, vertex, eye) < 0.0) {

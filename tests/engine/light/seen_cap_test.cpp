@@ -7,12 +7,13 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 constexpr double kRounding_rad = 1e-9;  // γ² of body and head together, up to 10⁶, times double's rounding
 
 /// One eye's view of a body, and where its points are drawn by the kernel in double.
@@ -40,7 +41,7 @@ double beyond(const SphericalCap& cap, const Vec3& drawn) {
 }
 
 /// A body without bounces, a sphere fixed to it and an eye, which is often near the sphere or in it.
-struct Case {
+struct SeenSphere {
   WorldLine line;
   Vec3 middle_m;
   double radius_m;
@@ -48,7 +49,7 @@ struct Case {
   Lorentz headFromBoard;
 };
 
-Case randomCase(test::Random& random, double maxBeta, double friction_m_s2) {
+SeenSphere randomSeenSphere(test::Random& random, double maxBeta, double friction_m_s2) {
   constexpr double kReach_m = 0.5;
   const Knot knot{{random.in(-1.0, 0.0), random.inBox(1.0)}, random.u(maxBeta), 0.0, {}, friction_m_s2};
   const WorldLine line(knot, kC_m_s, kReach_m);
@@ -63,7 +64,7 @@ Case randomCase(test::Random& random, double maxBeta, double friction_m_s2) {
 }
 
 /// Draws points of the case's sphere and holds them against its cap.
-void expectWithin(test::Random& random, const Case& c, const Sight& sight, const SphericalCap& cap) {
+void expectWithin(test::Random& random, const SeenSphere& c, const Sight& sight, const SphericalCap& cap) {
   constexpr int kPoints = 8;
   for (int k = 0; k < kPoints; ++k) {
     const Vec3 within = k % 2 == 0 ? c.radius_m * random.direction() : random.inBall(c.radius_m);
@@ -80,7 +81,7 @@ TEST(SeenCap, NoPointOfASphereIsSeenOutside) {
   for (int i = 0; i < kCases; ++i) {
     CASE(random, i);
     const Switches switches{1, static_cast<std::uint8_t>(i % 4 != 1), static_cast<std::uint8_t>(i % 4 != 2)};
-    const Case c = randomCase(random, 0.999, 0.0);
+    const SeenSphere c = randomSeenSphere(random, 0.999, 0.0);
     const Sight sight(c.line, c.eye, c.headFromBoard, switches, ViewTime::seen);
     const SphericalCap cap = SeenCaps(sight.view, sight.frame).of(c.middle_m, c.radius_m);
     whole += cap.isWholeSky();
@@ -96,7 +97,7 @@ TEST(SeenCap, RaysThatTouchTheSphereAreItsBorder) {
   test::Random random(62);
   for (int i = 0; i < 20000; ++i) {
     CASE(random, i);
-    const Case c = randomCase(random, 0.999, 0.0);
+    const SeenSphere c = randomSeenSphere(random, 0.999, 0.0);
     const Sight sight(c.line, c.eye, c.headFromBoard, {}, ViewTime::seen);
     const Vec3 p = c.middle_m - sight.view.legs[0].eye;
     const double distance_m = glm::length(p), sine = c.radius_m / distance_m;
@@ -115,7 +116,7 @@ TEST(SeenCap, NoPointIsDrawnOutsideAtAMoment) {
     const bool myNow = i % 3 == 0;
     const auto bit = [&](int n) { return static_cast<std::uint8_t>(i >> n & 1); };
     const Switches switches{0, bit(1), bit(2)};
-    const Case c = randomCase(random, 0.999, 0.0);
+    const SeenSphere c = randomSeenSphere(random, 0.999, 0.0);
     const Sight sight(c.line, c.eye, c.headFromBoard, switches, myNow ? ViewTime::myNow : ViewTime::boardNow);
     const SphericalCap cap = SeenCaps(sight.view, sight.frame).of(c.middle_m, c.radius_m);
     ASSERT_NO_FATAL_FAILURE(expectWithin(random, c, sight, cap));
@@ -128,7 +129,7 @@ TEST(SeenCap, NoPointOfAGlidingBodyIsSeenOutside) {
   for (int i = 0; i < 30000; ++i) {
     CASE(random, i);
     const Switches switches{1, static_cast<std::uint8_t>(i % 4 != 1), static_cast<std::uint8_t>(i % 4 != 2)};
-    const Case c = randomCase(random, 0.95, random.in(0.05, 0.9));
+    const SeenSphere c = randomSeenSphere(random, 0.95, random.in(0.05, 0.9));
     const Sight sight(c.line, c.eye, c.headFromBoard, switches, ViewTime::seen);
     gliding += sight.view.legs[0].glide.w > 0.0;
     const SphericalCap cap = SeenCaps(sight.view, sight.frame).of(c.middle_m, c.radius_m);
@@ -145,7 +146,7 @@ TEST(SeenCap, NoPointOfATurningBodyIsSeenOutside) {
   for (int i = 0; i < 30000; ++i) {
     CASE(random, i);
     const Switches switches{1, static_cast<std::uint8_t>(i % 4 != 1), static_cast<std::uint8_t>(i % 4 != 2)};
-    const Case c = randomCase(random, 0.95, 0.0);
+    const SeenSphere c = randomSeenSphere(random, 0.95, 0.0);
     Knot knot = c.line.knots().back();
     knot.spin.angle_rad = random.in(-3.0, 3.0);
     knot.spin.omega_rad_s = random.in(-0.9, 0.9) * kC_m_s / c.line.radius_m();
@@ -164,7 +165,7 @@ TEST(SeenCap, WhatGoesWithABodyIsSeenWithinItsWideCap) {
   test::Random random(65);
   for (int i = 0; i < 30000; ++i) {
     CASE(random, i);
-    const Case c = randomCase(random, 0.99, i % 2 == 0 ? 0.0 : random.in(0.05, 0.9));
+    const SeenSphere c = randomSeenSphere(random, 0.99, i % 2 == 0 ? 0.0 : random.in(0.05, 0.9));
     const Sight sight(c.line, c.eye, c.headFromBoard, {}, ViewTime::seen);
     const SphericalCap cap = SeenCaps(sight.view, sight.frame).around(glm::length(c.middle_m) + c.radius_m);
     ASSERT_NO_FATAL_FAILURE(expectWithin(random, c, sight, cap));

@@ -12,6 +12,7 @@
 #include "engine/base/root.h"
 #include "engine/light/mesh_emission.h"
 #include "engine/light/vertex_history.h"
+#include "engine/light_speed.h"
 #include "engine/meshes.h"
 #include "engine/random_world.h"
 #include "exact_cases.h"
@@ -21,7 +22,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 constexpr double kOfDistance = 2e-6;  // the error of float that is allowed, as a fraction of the distance
 
 Vec3 vec3(const Json& json) { return {json[0], json[1], json[2]}; }

@@ -8,21 +8,16 @@
 #include <glm/geometric.hpp>
 
 #include "engine/light/light_cone.h"
+#include "engine/light/seen_point.h"
 #include "engine/light/vertex_history.h"
-#include "engine/seen_point.h"
 #include "sanitized.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr double kTolerance_m = 1e-8;  // rounding in double, through γ up to 7 twice
+using test::kC_m_s, test::kTolerance_m;
 
 using Case = test::SeenPoint;
-
-Case randomCase(test::Random& random, int bounces, double spacing_s, double friction_m_s2) {
-  return test::randomSeenPoint(random, kC_m_s, bounces, spacing_s, friction_m_s2, 3.0);
-}
 
 /// Where the kernel says that the point is drawn, as the shaders do it.
 Vec3 drawnByKernel(const Case& c, const Switches& switches) {
@@ -86,7 +81,7 @@ void compare(int cases, int mostBounces, double spacing_s, double friction_m_s2)
   test::Random random(31);
   for (int i = 0; i < test::casesOf(cases); ++i) {
     CASE(random, i);
-    const Case c = randomCase(random, i % (mostBounces + 1), spacing_s, friction_m_s2);
+    const Case c = test::randomSeenPoint(random, i % (mostBounces + 1), spacing_s, friction_m_s2, 3.0);
     for (int bits = 0; bits < 8; ++bits) {
       const Switches s = switchesOf(bits);
       const double error_m = glm::length(drawnByKernel(c, s) - expected(c, s));

@@ -8,13 +8,13 @@
 
 #include "engine/billiard/billiard.h"
 #include "engine/light/light_cone.h"
+#include "engine/light/point_history.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr double kRounding_m = 1e-11;  // coordinates of metres, a chain of 20 boosts with γ up to 2.3
+using test::kC_m_s, test::kHistoryRounding_m;
 
 TEST(VertexHistory, ContinuousAndSlowerThanLightThroughChainsOfBounces) {
   test::Random random(5);
@@ -32,7 +32,7 @@ TEST(VertexHistory, ContinuousAndSlowerThanLightThroughChainsOfBounces) {
       if (k > 0) {  // the first piece has no beginning
         ASSERT_GE(d.dt_s, -1e-12);
       }
-      ASSERT_LT(glm::length(d.dr_m - expected_m), kRounding_m);
+      ASSERT_LT(glm::length(d.dr_m - expected_m), kHistoryRounding_m);
       ASSERT_LT(glm::length(betaFromU(history[k].u)), 1.0);
       if (k > 0) {
         ASSERT_GE(history[k + 1].properTime_s, history[k].properTime_s - 1e-12);
@@ -54,7 +54,7 @@ TEST(VertexHistory, GlidingPointsMoveAsTheirPlacesDo) {
     for (std::size_t k = 1; k + 1 < history.size(); ++k) {
       const VertexPiece& piece = history[k];
       const double end_s = history[k + 1].start.t_s;
-      ASSERT_LT(glm::length(placeAt(piece, end_s, kC_m_s) - history[k + 1].start.r_m), kRounding_m);
+      ASSERT_LT(glm::length(placeAt(piece, end_s, kC_m_s) - history[k + 1].start.r_m), kHistoryRounding_m);
       ASSERT_NEAR(properTimeAt(piece, end_s, kC_m_s), history[k + 1].properTime_s, 1e-9);
       const double t_s = random.in(piece.start.t_s, end_s);
       if (end_s - piece.start.t_s < 10 * h_s) continue;
@@ -142,7 +142,7 @@ TEST(VertexHistory, PointsCatchUpWithTheFastestRims) {
     ++led;
     const double w = std::abs(knot.spin.omega_rad_s) * kRadius_m / kC_m_s;
     EXPECT_NEAR(glm::length(way.dr_m) / (kC_m_s * way.dt_s), 0.5 + 0.5 * w, 1e-9);
-    EXPECT_LT(glm::length(placeAt(onLeg, onLeg.start.t_s, kC_m_s) - onLeg.start.r_m), kRounding_m);
+    EXPECT_LT(glm::length(placeAt(onLeg, onLeg.start.t_s, kC_m_s) - onLeg.start.r_m), kHistoryRounding_m);
   }
   EXPECT_GT(led, 200);
 }
@@ -170,7 +170,7 @@ TEST(VertexHistory, TheCentreFollowsItsKnots) {
   const auto history = vertexHistory(line, Vec3(0.0));
   for (double t_s = -2.0; t_s < 8.0; t_s += 0.01) {
     const VertexPiece& piece = pieceAt(history, t_s);
-    ASSERT_LT(glm::length(placeAt(piece, t_s, kC_m_s) - line.at(t_s).event.r_m), kRounding_m) << t_s;
+    ASSERT_LT(glm::length(placeAt(piece, t_s, kC_m_s) - line.at(t_s).event.r_m), kHistoryRounding_m) << t_s;
   }
 }
 

@@ -6,12 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "engine/light/ring_view.h"
+#include "engine/light_speed.h"
 #include "engine/meshes.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 constexpr double kSampleHz = 60.0;
 constexpr double kFloat = 1e-5;  // of the distance: float roundings in the board frame, γ up to 2
 

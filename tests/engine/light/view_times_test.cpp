@@ -6,19 +6,18 @@
 #include <glm/geometric.hpp>
 
 #include "engine/light/light_cone.h"
+#include "engine/light/seen_point.h"
 #include "engine/light/vertex_history.h"
-#include "engine/seen_point.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-constexpr double kTolerance_m = 1e-8;  // rounding in double, through γ up to 7 twice
+using test::kC_m_s, test::kTolerance_m;
 
 using Case = test::SeenPoint;
 
 Case randomCase(test::Random& random, int bounces, double spacing_s, double friction_m_s2) {
-  return test::randomSeenPoint(random, kC_m_s, bounces, spacing_s, friction_m_s2, 2.0);
+  return test::randomSeenPoint(random, bounces, spacing_s, friction_m_s2, 2.0);
 }
 
 /// The event that the kernel finds, from the eye: its place where the head draws it, and its board time.

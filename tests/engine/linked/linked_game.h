@@ -10,6 +10,7 @@
 
 #include "engine/billiard/billiard.h"
 #include "engine/light/point_emission.h"
+#include "engine/light_speed.h"
 #include "engine/linked/other_room.h"
 #include "engine/linked/own_room.h"
 #include "engine/linked/pace.h"
@@ -19,7 +20,7 @@
 
 namespace carom::test {
 
-inline constexpr double kC_m_s = 1.42, kFrame_s = 1.0 / 60.0, kReach_m = 0.8;
+inline constexpr double kFrame_s = 1.0 / 60.0, kReach_m = 0.8;
 /// How long a game is played on at the end: all strokes have arrived by then, of a room that has driven away,
 /// too.
 inline constexpr double kRest_s = 100.0;

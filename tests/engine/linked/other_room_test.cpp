@@ -1,5 +1,6 @@
 // Another room: which of its news count, and which break a promise.
 #include "engine/linked/other_room.h"
+#include "engine/light_speed.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 Present presentAt(std::uint64_t number, double t_s, std::uint32_t strokes = 0) {
   Present present;

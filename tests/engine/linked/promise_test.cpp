@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-using test::Random;
-
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s, test::Random;
 
 Lorentz randomRoom(Random& random) {
   return Lorentz::boost(random.u(0.95), kC_m_s) *

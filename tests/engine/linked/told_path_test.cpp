@@ -6,12 +6,13 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "engine/light_speed.h"
 #include "engine/linked/promise.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 ToldMoment momentAt(double t_s, const Vec3& head_m, const Vec3& hand_m) {
   ToldMoment moment;

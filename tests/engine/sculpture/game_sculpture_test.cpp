@@ -7,17 +7,16 @@
 #include <map>
 
 #include "engine/billiard/billiard.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 #include "engine/sculpture/closed.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
-
 BilliardSetup setupOf() {
   BilliardSetup setup;
-  setup.lightSpeed_m_s = kC_m_s;
+  setup.lightSpeed_m_s = test::kC_m_s;
   setup.board = Board{2.84, 1.42};
   const auto puck = [](const char* name, double x_m, double y_m, double bx, double by) {
     Puck made;
@@ -112,7 +111,7 @@ TEST(GameSculpture, BeadsStandInTheOrderOfTheFrame) {
     ASSERT_EQ(heights.size(), at.size());
     for (const auto& [one, onBoard] : at) {
       for (const auto& [other, there] : at) {
-        const double dt_m = kC_m_s * (there.t_s - onBoard.t_s);
+        const double dt_m = test::kC_m_s * (there.t_s - onBoard.t_s);
         const double later = dt_m - glm::dot(Vec2(beta), Vec2(there.r_m - onBoard.r_m));
         if (std::abs(later) < 1e-6) continue;
         ASSERT_EQ(heights[other] > heights[one], later > 0.0) << one << ", " << other;
@@ -146,7 +145,7 @@ TEST(GameSculpture, LightLiesOnTheConesOfItsEvents) {
     // The flash is at 0.2 m, the tops at 0.04 m, and the middle of the span is at 2.5 s.
     const double rho_m = glm::length(Vec2(high) - Vec2(0.0, 0.3));
     EXPECT_NEAR(rho_m, 0.3, 1e-3);
-    EXPECT_NEAR(high.z, (0.5 - 2.5) * kC_m_s + std::hypot(0.16, rho_m), 1e-3) << part.name;
+    EXPECT_NEAR(high.z, (0.5 - 2.5) * test::kC_m_s + std::hypot(0.16, rho_m), 1e-3) << part.name;
   }
   EXPECT_EQ(strokes, 1);
   EXPECT_EQ(flashes, 8);

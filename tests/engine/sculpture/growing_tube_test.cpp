@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/billiard/billiard.h"
+#include "engine/light_speed.h"
 #include "engine/random_game.h"
 #include "engine/random_world.h"
 
@@ -77,14 +78,14 @@ TEST(GrowingTube, AGameWithoutAPastBeginsWithIt) {
   Puck puck;
   puck.radius_m = 0.03;
   puck.height_m = 0.02;
-  constexpr double kC_m_s = 1.42, kBegins_s = 3.0;
-  const WorldLine line({{kBegins_s, {0.1, 0.2, 0.01}}, uFromBeta({0.5, 0.0, 0.0}), 0.0, {}, 0.0}, kC_m_s,
-                       0.04, kBegins_s);
+  constexpr double kBegins_s = 3.0;
+  const WorldLine line({{kBegins_s, {0.1, 0.2, 0.01}}, uFromBeta({0.5, 0.0, 0.0}), 0.0, {}, 0.0},
+                       test::kC_m_s, 0.04, kBegins_s);
   GrowingTube tube;
   for (const double now_s : {kBegins_s, kBegins_s + 0.5}) {
     tube.follow(puck, line, kPast_s, now_s, 0.0, kFine_m);
     ASSERT_FALSE(tube.points().empty());
-    for (const glm::vec3& point : tube.points()) ASSERT_GE(point.z, kC_m_s * kBegins_s - 1e-5);
+    for (const glm::vec3& point : tube.points()) ASSERT_GE(point.z, test::kC_m_s * kBegins_s - 1e-5);
   }
   GrowingTube before;
   before.follow(puck, line, kPast_s, kBegins_s - 20.0, 0.0, kFine_m);

@@ -6,13 +6,14 @@
 
 #include <cmath>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 #include "engine/sculpture/sculpture_reach.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 SculpturePlace placeOf(test::Random& random) {
   SculpturePlace place;

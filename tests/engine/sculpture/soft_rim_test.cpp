@@ -8,13 +8,15 @@
 #include <cmath>
 
 #include "engine/game/soft_puck_mesh.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 #include "engine/sculpture/growing_tube.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42, kStep_m = 0.02;
+using test::kC_m_s;
+constexpr double kStep_m = 0.02;
 
 /// A soft disc that glides evenly while it breathes: its nodes are away from the centre by 1 + a sin(ω t) of
 /// their relaxed places.

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/billiard/billiard.h"
+#include "engine/light_speed.h"
 #include "engine/random_game.h"
 #include "engine/random_world.h"
 #include "engine/sculpture/closed.h"
@@ -15,7 +16,7 @@
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 constexpr double kRounding_m = 1e-9;
 
 SpacetimeFrame boardOf(double c_m_s) { return {Lorentz(c_m_s), Event{}}; }

@@ -12,11 +12,11 @@
 namespace carom {
 namespace {
 
-constexpr double kHalf = 0.04;
+constexpr double kBlockHalf = 0.04;
 
 SoftEntry block(double beta, int cells) {
   const double gamma = 1.0 / std::sqrt(1.0 - beta * beta);
-  return {"block",     std::make_shared<SoftMesh>(softRectangle({kHalf, 0.5 * kHalf}, cells)),
+  return {"block",     std::make_shared<SoftMesh>(softRectangle({kBlockHalf, 0.5 * kBlockHalf}, cells)),
           {0.5, 0.15}, 0.2,
           {0.0, 0.0},  {gamma, gamma * beta, 0.0},
           0.0,         {}};
@@ -30,15 +30,15 @@ TEST(FarSides, HearWhenTheShockArrives) {
   };
   for (const Case& one : {Case{0.3, 1.2562}, Case{0.6, 0.7709}, Case{0.8, 0.4884}}) {
     SCOPED_TRACE(one.speed);
-    SoftPlay play({{{1.0, 0.0}, kHalf}});
+    SoftPlay play({{{1.0, 0.0}, kBlockHalf}});
     play.add(block(one.speed, 24));
     while (play.heard().empty() && play.time() < 0.5) play.playSlice();
     ASSERT_EQ(play.heard().size(), 1u);
     const FarSides::Heard& heard = play.heard()[0];
     EXPECT_EQ(heard.body, 0u);
-    EXPECT_NEAR((heard.event.t - play.collisions()[0].contact.t) / (2.0 * kHalf), one.needs, 0.04);
-    EXPECT_NEAR(heard.event.y, 0.0, 1e-3 * kHalf) << "the middle of the side";
-    EXPECT_LT(heard.event.x, kHalf - 0.3 * kHalf);
+    EXPECT_NEAR((heard.event.t - play.collisions()[0].contact.t) / (2.0 * kBlockHalf), one.needs, 0.04);
+    EXPECT_NEAR(heard.event.y, 0.0, 1e-3 * kBlockHalf) << "the middle of the side";
+    EXPECT_LT(heard.event.x, kBlockHalf - 0.3 * kBlockHalf);
   }
 }
 
@@ -58,15 +58,15 @@ TEST(FarSides, HearOfAStrokeAndOfWhatHoldsThemLaterThanLight) {
   EXPECT_NE(play.heard()[0].body, play.heard()[1].body);
   for (const FarSides::Heard& heard : play.heard()) {
     const double needs = heard.event.t - 0.1;
-    EXPECT_NEAR(heard.event.x, kHalf, 0.02 * kHalf) << "the far side, hardly moved";
+    EXPECT_NEAR(heard.event.x, kBlockHalf, 0.02 * kBlockHalf) << "the far side, hardly moved";
     // A stroke pushes the whole near half, so it is the half's width that news has to cross.
-    EXPECT_GT(needs, heard.body == 1 ? 2.0 * kHalf : 0.5 * kHalf);
-    EXPECT_LT(needs, heard.body == 1 ? 3.2 * kHalf : 4.0 * kHalf);
+    EXPECT_GT(needs, heard.body == 1 ? 2.0 * kBlockHalf : 0.5 * kBlockHalf);
+    EXPECT_LT(needs, heard.body == 1 ? 3.2 * kBlockHalf : 4.0 * kBlockHalf);
   }
 }
 
 TEST(FarSides, AreHeardAgainAfterAReturn) {
-  SoftPlay play({{{1.0, 0.0}, kHalf}});
+  SoftPlay play({{{1.0, 0.0}, kBlockHalf}});
   play.add(block(0.6, 6));
   while (play.collisions().empty()) play.playSlice();
   const auto snapshot = play.snapshot();

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "engine/soft/row_recorder.h"
+#include "engine/soft/soft_discs.h"
 #include "engine/soft/soft_play.h"
 
 namespace carom {
 namespace {
 
-constexpr double kRadius = 0.0305;
+using test::kRadius;
 
 SoftEntry disc(double speed, int cells) {
   const double gamma = 1.0 / std::sqrt(1.0 - speed * speed);
@@ -26,12 +27,12 @@ SoftEntry disc(double speed, int cells) {
 }
 
 /// A bounce with its rows, and every step of it.
-struct Bounce {
+struct RecordedBounce {
   SoftRows rows;
   SoftHistory history;
   std::map<double, std::vector<glm::dvec2>> steps;
 
-  Bounce(double speed, int cells, double until) {
+  RecordedBounce(double speed, int cells, double until) {
     SoftPlay play({{{1.0, 0.0}, 0.08}});
     play.add(disc(speed, cells));
     std::vector<glm::dvec2> places;
@@ -65,7 +66,7 @@ struct Bounce {
 TEST(RowRecorder, RowsMissNoStepByMoreThanATenthOfAMillimetre) {
   for (const double speed : {0.3, 0.6, 0.8}) {
     SCOPED_TRACE(speed);
-    const Bounce bounce(speed, 8, 0.6);
+    const RecordedBounce bounce(speed, 8, 0.6);
     const double last = bounce.history.row(bounce.history.rowCount() - 1).time;
     double farthest = 0.0;
     for (const auto& [time, places] : bounce.steps) {
@@ -84,7 +85,7 @@ TEST(RowRecorder, RowsMissNoStepByMoreThanATenthOfAMillimetre) {
 }
 
 TEST(RowRecorder, ASleeperIsOneRowAndWakesOnItsWay) {
-  const Bounce bounce(0.3, 6, 0.4);
+  const RecordedBounce bounce(0.3, 6, 0.4);
   ASSERT_GT(bounce.history.rowCount(), 3U);
   EXPECT_EQ(bounce.history.row(0).isStill, 1);
   EXPECT_EQ(bounce.history.row(1).isStill, 0);

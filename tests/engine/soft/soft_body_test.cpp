@@ -12,10 +12,7 @@
 namespace carom {
 namespace {
 
-using test::disc;
-using test::kMass;
-using test::kRadius;
-using test::movingWith;
+using test::disc, test::kMass, test::kRadius, test::movingWith;
 
 // Relaxed matter that moves evenly is an exact solution of the discrete equations, too.
 TEST(SoftBody, KeepsShapeAndClockInFreeFlight) {

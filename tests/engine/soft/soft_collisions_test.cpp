@@ -8,17 +8,20 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
+#include "engine/soft/soft_discs.h"
+
 namespace carom {
 namespace {
 
-constexpr double kRadius = 0.03, kMass = 0.2;
+using test::kMass, test::kSmallRadius;
 constexpr std::array<std::size_t, 1> kMembers{7};  // the body's number in the play
 
 /// A disc that runs to and fro between two cushions.
 struct Bouncing {
-  SoftBody body{std::make_shared<SoftMesh>(softDisc(kRadius, 6)), {}, kMass, {0.0, 0.0}, {1.25, 0.75, 0.0}};
+  SoftBody body{
+      std::make_shared<SoftMesh>(softDisc(kSmallRadius, 6)), {}, kMass, {0.0, 0.0}, {1.25, 0.75, 0.0}};
   SoftGroup group{{&body}, {{{1.0, 0.0}, 0.1}, {{-1.0, 0.0}, 0.1}}};
-  double soundTime = 2.0 * kRadius / body.material().soundSpeed;
+  double soundTime = 2.0 * kSmallRadius / body.material().soundSpeed;
   double time = 0.0;
 
   /// Steps, and notes and ends collisions. Returns how many have begun.

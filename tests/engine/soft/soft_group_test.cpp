@@ -13,17 +13,7 @@
 namespace carom {
 namespace {
 
-using test::disc;
-using test::kMass;
-using test::kRadius;
-using test::movingWith;
-
-/// A four-momentum in a frame that moves with `beta`.
-Vec21 seenFrom(const glm::dvec2& beta, const Vec21& p) {
-  const Vec21 u = movingWith(beta);
-  const double along = p.x * u.x + p.y * u.y, share = along / (u.t + 1.0) - p.t;
-  return {u.t * p.t - along, p.x + share * u.x, p.y + share * u.y};
-}
+using test::disc, test::kMass, test::kRadius, test::movingWith, test::seenFrom;
 
 double angularMomentum(const SoftTotals& totals) {
   return totals.spin + totals.centre.x * totals.momentum.y - totals.centre.y * totals.momentum.x;
@@ -47,7 +37,8 @@ Bounce bounced(int cells, const SoftMaterial& material, double normal, double al
   EXPECT_NEAR(after.momentum.x - group.impulseOf(0).x, before.x, 1e-12 * before.t);
   EXPECT_NEAR(after.momentum.y, before.y, 1e-12 * before.t);
   EXPECT_GT(after.heat, 0.0);
-  return {after.momentum.x / before.x, after.restMass() / kMass, seenFrom({0.0, along}, after.momentum)};
+  return {after.momentum.x / before.x, after.restMass() / kMass,
+          seenFrom(movingWith({0.0, along}), after.momentum)};
 }
 
 // Momentum back, extrapolated in the cell size with another program: 0.675, 0.651, 0.653 at 0.3, 0.6, 0.8 c.

@@ -8,18 +8,14 @@
 #include <memory>
 
 #include "engine/random_world.h"
+#include "engine/soft/soft_discs.h"
 #include "engine/soft/soft_play.h"
 #include "sanitized.h"
 
 namespace carom {
 namespace {
 
-constexpr double kRadius = 0.0305, kMass = 0.2;
-
-Vec21 movingWith(const glm::dvec2& beta) {
-  const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
-  return {gamma, gamma * beta.x, gamma * beta.y};
-}
+using test::kMass, test::kRadius, test::movingWith;
 
 SoftEntry disc(const std::string& name, int cells, const glm::dvec2& centre, const glm::dvec2& beta,
                const SoftMaterial& material = {}) {

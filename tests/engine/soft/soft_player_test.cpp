@@ -8,16 +8,18 @@
 #include <memory>
 
 #include "engine/random_world.h"
+#include "engine/soft/soft_discs.h"
 #include "engine/soft/soft_group.h"
 
 namespace carom {
 namespace {
 
-constexpr double kRadius = 0.03, kMass = 0.2;
+using test::kMass, test::kSmallRadius;
 
 SoftPlayer disc(const glm::dvec2& beta) {
   const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
-  SoftEntry entry{"disc",      std::make_shared<SoftMesh>(softDisc(kRadius, 6)), {}, kMass,
+  SoftEntry entry{"disc",      std::make_shared<SoftMesh>(softDisc(kSmallRadius, 6)),
+                  {},          kMass,
                   {0.1, -0.2}, {gamma, gamma * beta.x, gamma * beta.y}};
   SoftPlayer player(std::make_shared<const SoftEntry>(entry));
   player.measure();
@@ -27,10 +29,10 @@ SoftPlayer disc(const glm::dvec2& beta) {
 /// Lets a body run into a cushion, so that it rings.
 void ring(SoftPlayer& player) {
   player.wake(player.since);
-  const double offset = player.centre.x + kRadius + 1e-4;
+  const double offset = player.centre.x + kSmallRadius + 1e-4;
   SoftGroup group({&player.body}, {{{1.0, 0.0}, offset}});
-  group.advance(3.0 * kRadius);
-  player.since += 3.0 * kRadius;
+  group.advance(3.0 * kSmallRadius);
+  player.since += 3.0 * kSmallRadius;
   player.measure();
 }
 
@@ -60,8 +62,8 @@ TEST(SoftPlayer, ItsLastShapeFades) {
   player.fallAsleep(false);
   EXPECT_LT(glm::distance(player.body.place(0) + player.fade[0], node), 1e-16);
   EXPECT_EQ(player.fadeAt(player.since), 1.0);
-  EXPECT_NEAR(player.fadeAt(player.since + 0.25 * kRadius), 0.75, 1e-12);
-  EXPECT_EQ(player.fadeAt(player.since + 2.0 * kRadius), 0.0);
+  EXPECT_NEAR(player.fadeAt(player.since + 0.25 * kSmallRadius), 0.75, 1e-12);
+  EXPECT_EQ(player.fadeAt(player.since + 2.0 * kSmallRadius), 0.0);
   atOnce.fallAsleep(true);
   EXPECT_TRUE(atOnce.fade.empty());
 }
@@ -96,7 +98,7 @@ TEST(SoftPlayer, GoesOnWithTheSameBitsFromAnEarlierState) {
   const auto goOn = [](SoftPlayer& one) {
     one.refresh();
     SoftGroup group({&one.body}, {});
-    group.advance(kRadius);
+    group.advance(kSmallRadius);
     return one.body.state();
   };
   const SoftBody::State first = goOn(player);

@@ -13,12 +13,13 @@
 #include "engine/billiard/billiard.h"
 #include "engine/light/vertex_ring.h"
 #include "engine/random_world.h"
+#include "engine/soft/soft_discs.h"
 #include "engine/soft/soft_play.h"
 
 namespace carom {
 namespace {
 
-constexpr double kRadius = 0.0305, kMass = 0.2;
+using test::kMass, test::kRadius, test::movingWith, test::seenFrom;
 
 /// Returns how many random collisions are tried.
 int cases(int quick) {
@@ -26,17 +27,6 @@ int cases(int quick) {
   return all == nullptr ? quick : std::atoi(all);
 }
 bool isThorough() { return std::getenv("CAROM_SOFT") != nullptr; }
-
-Vec21 movingWith(const glm::dvec2& beta) {
-  const double gamma = 1.0 / std::sqrt(1.0 - glm::dot(beta, beta));
-  return {gamma, gamma * beta.x, gamma * beta.y};
-}
-
-/// A vector in a frame that moves with the four-velocity `u`.
-Vec21 seenFrom(const Vec21& u, const Vec21& p) {
-  const double along = p.x * u.x + p.y * u.y, share = along / (u.t + 1.0) - p.t;
-  return {u.t * p.t - along, p.x + share * u.x, p.y + share * u.y};
-}
 
 /// A body that flies through an event.
 struct Flight {

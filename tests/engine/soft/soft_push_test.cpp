@@ -9,15 +9,16 @@
 #include <memory>
 
 #include "engine/random_world.h"
+#include "engine/soft/soft_discs.h"
 
 namespace carom {
 namespace {
 
-constexpr double kRadius = 0.03, kMass = 0.2;
+using test::kMass, test::kSmallRadius;
 
 SoftPlayer disc() {
-  SoftEntry entry{"disc",         std::make_shared<SoftMesh>(softDisc(kRadius, 6)), {}, kMass, {0.0, 0.0},
-                  {1.0, 0.0, 0.0}};
+  SoftEntry entry{
+      "disc", std::make_shared<SoftMesh>(softDisc(kSmallRadius, 6)), {}, kMass, {0.0, 0.0}, {1.0, 0.0, 0.0}};
   SoftPlayer player(std::make_shared<const SoftEntry>(entry));
   player.wake(0.0);
   return player;
@@ -78,7 +79,7 @@ TEST(SoftPush, ReachesNodesWithTheLightOfTheHand) {
   SoftPlayer player = disc();
   SoftPush push(stroke);
   FarSides farSides;
-  const double first = litAt(stroke, {-kRadius, 0.0}), middle = litAt(stroke, {0.0, 0.0});
+  const double first = litAt(stroke, {-kSmallRadius, 0.0}), middle = litAt(stroke, {0.0, 0.0});
   push.act(player, first - 1e-6, farSides);
   EXPECT_FALSE(push.began());
   const double half = 0.5 * (first + middle);
@@ -110,7 +111,7 @@ TEST(SoftPush, SaysWhenItMayReachABody) {
     stroke.hand = {random.in(0.0, 0.5), random.in(-0.5, 0.5), random.in(-0.5, 0.5)};
     const SoftPush push(stroke);
     const SoftPlayer player = disc();
-    const double apart = std::max(0.0, std::hypot(stroke.hand.x, stroke.hand.y) - kRadius);
+    const double apart = std::max(0.0, std::hypot(stroke.hand.x, stroke.hand.y) - kSmallRadius);
     const double arrives = stroke.hand.t + std::hypot(apart, stroke.height);
     ASSERT_TRUE(push.reachesBefore(player, arrives, kSlice, arrives + 1e-9));
     ASSERT_FALSE(push.reachesBefore(player, arrives, kSlice, arrives - 2.0 * kSlice));

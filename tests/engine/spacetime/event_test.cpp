@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
@@ -39,7 +40,7 @@ TEST(Event, PointsAndArrowsAddUp) {
 
 // By its factors: c²Δt² − Δr² = (cΔt + Δr)(cΔt − Δr).
 TEST(Event, IntervalIsPositiveBetweenEventsThatOneClockAttends) {
-  constexpr double kC_m_s = 1.42;
+  using test::kC_m_s;
   test::Random random(2);
   for (int i = 0; i < 1000; ++i) {
     CASE(random, i);

@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 constexpr double kRounding = 1e-13;  // a few hundred double ulps
 
 double difference(const Displacement& a, const Displacement& b) {

@@ -6,12 +6,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
-
-constexpr double kC_m_s = 1.42;
 
 TEST(Observer, TheStartingRoomFacesItsWayAndMovesWithItsSpeed) {
   test::Random random(86);
@@ -21,11 +20,11 @@ TEST(Observer, TheStartingRoomFacesItsWayAndMovesWithItsSpeed) {
     start.facing_rad = random.in(-3.0, 3.0);
     start.beta = random.direction() * random.in(0.0, 0.9);
     const RoomAxes axes;
-    const Lorentz room = startingRoom(start, axes, kC_m_s);
+    const Lorentz room = startingRoom(start, axes, test::kC_m_s);
     EXPECT_LT(glm::length(betaFromU(room.u()) - start.beta), 1e-12);
     ObserverStart still = start;
     still.beta = Vec3(0.0);
-    const Lorentz resting = startingRoom(still, axes, kC_m_s);
+    const Lorentz resting = startingRoom(still, axes, test::kC_m_s);
     const Vec3 forward = (resting * Displacement{0.0, axes.forward}).dr_m;
     EXPECT_LT(glm::length(forward - Vec3(std::cos(start.facing_rad), std::sin(start.facing_rad), 0.0)),
               1e-12);
@@ -34,7 +33,7 @@ TEST(Observer, TheStartingRoomFacesItsWayAndMovesWithItsSpeed) {
 }
 
 ObserverView randomView(test::Random& random, const Vec3& right_m) {
-  const Lorentz headFromBoard = Lorentz::boost(random.u(0.9), kC_m_s);
+  const Lorentz headFromBoard = Lorentz::boost(random.u(0.9), test::kC_m_s);
   const EyeView middle{{random.in(0.0, 9.0), random.inBox(2.0)}, random.inBox(1.0), random.inBox(1.0)};
   return viewOfEyes(headFromBoard, middle, right_m, random.in(0.0, 9.0));
 }
@@ -62,7 +61,7 @@ TEST(Observer, OneAtRestSeesAtTheRoomsMoment) {
   for (int i = 0; i < 100; ++i) {
     CASE(random, i);
     const ObserverView other = randomView(random, {0.03, 0.0, 0.0});
-    const Lorentz boardFromRoom = Lorentz::boost(random.u(0.9), kC_m_s);
+    const Lorentz boardFromRoom = Lorentz::boost(random.u(0.9), test::kC_m_s);
     const Vec3 place_m = random.inBox(2.0);
     const ObserverView view = viewAtRest(other, boardFromRoom, 5.0, place_m, {0.03, 0.0, 0.0});
     const Displacement apart = boardFromRoom.inverse() * (view.middle.observation - other.middle.observation);

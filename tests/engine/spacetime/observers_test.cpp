@@ -7,12 +7,13 @@
 #include <stdexcept>
 
 #include "engine/base/limits.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 const Event kOrigin{0.0, Vec3(0.0)};
 
 Head headAt(const Vec3& position_m, const Vec3& celerity_m_s = Vec3(0.0)) {

@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 #include "engine/spacetime/lorentz.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 TEST(Simultaneity, TheNamedObserverIndeedSeesThemAtOnceOrAtOnePlace) {
   test::Random random(3);

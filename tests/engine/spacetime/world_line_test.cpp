@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "engine/light/vertex_history.h"
+#include "engine/light_speed.h"
 #include "engine/random_world.h"
 
 namespace carom {
 namespace {
 
-constexpr double kC_m_s = 1.42;
+using test::kC_m_s;
 
 TEST(WorldLine, LegsHoldFromTheirTurns) {
   const Knot first{{0.0, Vec3(0.0)}, uFromBeta({0.5, 0.0, 0.0}), 0.0, {}, 0.0};
