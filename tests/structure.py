@@ -3,7 +3,7 @@ modules (the folders with a carom_module in their CMakeLists.txt) have no circle
 from modules that it uses, that no type is defined twice, that no class has more than 15 members
 or 12 private functions but those named here with a reason, that app/doc/figures/modules.svg shows these modules, that none holds more than 14 pairs of a header and a source, 25
 includes between them or 28 files of tests, that 70 % of the pairs of more than 100 lines have a test file of
-their name, and that every source file has the format of .clang-format. Prints a line for each folder and one for each of the rules."""
+their name, that each decoder of a device has a fuzz target and is among the tests of hostile data, and that every source file has the format of .clang-format. Prints a line for each folder and one for each of the rules."""
 
 import pathlib
 import re
@@ -209,6 +209,17 @@ print(f"pairs of more than {LONG} lines {len(long)}, with a test file of their n
 if share < LEAST_TESTED:
     fail(f"{100 * share:.1f} % of the pairs of more than {LONG} lines have a test file of their name, expected {100 * LEAST_TESTED:.0f} % at least: "
          + ", ".join(map(str, sorted(untested))))
+
+# What a device sends is hostile until it is decoded.
+targets = (root / "tests/fuzz/CMakeLists.txt").read_text()
+hostile = "".join(file.read_text() for file in (root / "tests/devices").rglob("hostile_*_test.cpp"))
+decoders = sorted((root / "devices").rglob("*_decoder.h"))
+for file in decoders:
+    if not re.search(rf"carom_fuzz\(fuzz_{file.stem}\b", targets):
+        fail(f"{file.relative_to(root)} has no fuzz target: tests/fuzz/fuzz_{file.stem}.cpp and its line in tests/fuzz/CMakeLists.txt")
+    if f"/{file.name}\"" not in hostile:
+        fail(f"{file.relative_to(root)} is in no tests/devices/…/hostile_*_test.cpp")
+print(f"decoders of devices {len(decoders)}, each with a fuzz target and among the tests of hostile data")
 
 formatter = shutil.which("clang-format-14") or shutil.which("clang-format")
 version = subprocess.run([formatter, "--version"], capture_output=True, text=True).stdout if formatter else ""

@@ -5,9 +5,11 @@
 #include <wchar.h>   // NOLINT(modernize-deprecated-headers)
 #include <wctype.h>  // NOLINT(modernize-deprecated-headers)
 
+#include <algorithm>
 #include <array>
 #include <climits>
 
+#include "cave/record/time_views.h"
 #include "cave/texts/key_names.h"
 
 namespace carom {
@@ -16,6 +18,12 @@ namespace {
 /// The keys that mean something, by the sign on a US keyboard, which is GLFW's number. No digits, which are
 /// printed on each keyboard.
 constexpr std::string_view kNamed = ",-.=ABCDEFGHIJKLMNOPQRSTUVWXYZ[]";
+static_assert(std::ranges::all_of(kNamedViews,
+                                  [](const NamedView& view) {
+                                    return view.key == kKeyF11 ||
+                                           kNamed.find(static_cast<char>(view.key)) != kNamed.npos;
+                                  }),
+              "the key of a view is not among those that are named");
 
 /// Names the sign + as its key, if that is not the one of =, which has + with Shift.
 void namePlus() {

@@ -79,6 +79,7 @@ class Words {
       const SourceText& source = read.rules.sources[one.source];
       source.hasValues ? texts_.push_back({source.context, one.forms})
                        : games_.push_back({source.english, one.forms});
+      if (source.context.find(kLabel) != std::string::npos) labels_ += one.forms.front();
     }
   }
 
@@ -91,6 +92,7 @@ class Words {
     for (const auto& [english, forms] : games_) {
       if (known.insert(english).second) language.putOther(english, forms.front());
     }
+    language.putOnPlates(labels_);
   }
 
  private:
@@ -98,14 +100,17 @@ class Words {
     std::string of;
     std::vector<std::string> forms;
   };
+  static constexpr std::string_view kLabel = " lesson label ";  ///< in the name of a label's text
+
   std::string code_;
   std::vector<Text> texts_, games_;
+  std::string labels_;  ///< of lessons' labels, which stand on plates
 };
 
 /// Throws if no font here has the letters of a language: a tenth of them would be boxes.
 void checkFonts(const texts::Language& language, const LetterFonts& fonts) {
   if (!fonts.lettersWithoutFont || !fonts.missingPackage) return;
-  const std::string words = language.allWords("");
+  const std::string words = language.allWords();
   const std::u32string missing = fonts.lettersWithoutFont(words);
   const std::u32string signs = codePointsOf(words);
   const std::size_t all = std::unordered_set<char32_t>(signs.begin(), signs.end()).size();

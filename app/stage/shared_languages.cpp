@@ -16,12 +16,12 @@ namespace {
 
 using Languages = std::vector<std::shared_ptr<const texts::Language>>;
 
-/// Returns the letters beyond ASCII of all these languages' words.
-std::u32string lettersOf(const Languages& languages, std::string_view names) {
+/// Returns the letters beyond ASCII of these words of all languages.
+std::u32string lettersOf(const Languages& languages, std::string (texts::Language::*wordsOf)() const) {
   std::u32string letters;
   for (const auto& language : languages) {
     if (!language) continue;
-    const std::string words = language->allWords(names);
+    const std::string words = ((*language).*wordsOf)();
     for (std::string_view left = words; !left.empty();) {
       const std::optional<char32_t> letter = takeCodePoint(left);
       if (letter && *letter >= 0x80) letters += *letter;
@@ -60,8 +60,8 @@ std::vector<std::string> shareLanguages(const Cluster& cluster, const SessionLan
     all.push_back(line.empty() ? nullptr
                                : std::make_shared<const texts::Language>(texts::Language::unpacked(line)));
   }
-  Gui::setLetters(lettersOf(all, ""));
-  setPlateLetters(lettersOf(all, "plate."));
+  Gui::setLetters(lettersOf(all, &texts::Language::allWords));
+  setPlateLetters(lettersOf(all, &texts::Language::plateWords));
   texts::setSessionLanguages(std::move(all));
   return names;
 }

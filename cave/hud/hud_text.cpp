@@ -400,9 +400,8 @@ void HudText::setWall(const Wall& wall, std::span<const RoomViewer> viewers) {
 }
 
 void HudText::setLesson(const LessonWords& words, const LessonPlan& plan, bool mayLeave) {
-  lesson_ = inLanguage_ = words;
-  plan_ = planInLanguage_ = plan;
-  words_ = nullptr;
+  lesson_ = InLanguages(words);
+  plan_ = InLanguages(plan);
   mayLeave_ = mayLeave;
   tenths_s_ = -1;
 }
@@ -417,12 +416,7 @@ bool HudText::follow(const SeenFrame& seen) {
   tenths_s_ = tenths_s;
   told_ = told;
   isBand_ = seen.record.lesson.phase != LessonPhase::none;
-  if (words_ != texts::language()) {
-    words_ = texts::language();
-    inLanguage_ = inLanguage(lesson_);
-    planInLanguage_ = inLanguage(plan_);
-  }
-  describe(seen, inLanguage_, planInLanguage_, viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_,
+  describe(seen, lesson_.read(), plan_.read(), viewers_, isBand_ ? bandRoom_ : kPanelRoom, lines_, mayLeave_,
            seen.record.display_s - explainsFrom_s_);
   return true;
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cave/frame/lesson_language.h"
 #include "cave/frame/lesson_plan.h"
 #include "cave/hud/hud_line.h"
 #include "cave/record/frame_state.h"
@@ -56,10 +57,9 @@ class HudText {
   };
 
   std::vector<HudLine> lines_;
-  Told told_;                        ///< what was last described
-  LessonWords lesson_, inLanguage_;  ///< as the game has it, and as this viewer reads it
-  LessonPlan plan_, planInLanguage_;
-  const texts::Language* words_ = nullptr;  ///< the language of both
+  Told told_;  ///< what was last described
+  InLanguages<LessonWords> lesson_;
+  InLanguages<LessonPlan> plan_;
   std::vector<RoomViewer> viewers_;
   LineRoom bandRoom_ = kPanelRoom;
   bool isBand_ = false, mayLeave_ = true;

@@ -317,7 +317,7 @@ void SpacetimeMarks::look(const MarkContext& sight) {
   if (sight.views.angles) addAngles(sight, crowd, batch_);
   addBeacons(sight, colours_, tops_m_, batch_);
   addPulses(sight, pulses_, batch_);
-  addLessonMarks(sight, lesson_, tops_m_, crowd, batch_);
+  addLessonMarks(sight, lesson_.read(), tops_m_, crowd, batch_);
   marks_.upload(batch_);
 }
 

@@ -10,6 +10,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "cave/frame/lesson_language.h"
 #include "cave/marks/lesson_marks.h"
 #include "cave/marks/mark_buffer.h"
 #include "cave/marks/mark_context.h"
@@ -71,7 +72,7 @@ class SpacetimeMarks {
   std::vector<double> reach_m_, tops_m_, rims_m_;  // of every body
   Ruler ruler_;
   std::vector<LightPath> pulses_;
-  LessonPlan lesson_;
+  InLanguages<LessonPlan> lesson_;
   std::vector<std::string> flashes_;
   std::size_t firstPerson_;
   std::size_t pucks_ = 0;

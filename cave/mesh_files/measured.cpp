@@ -13,6 +13,7 @@
 
 #include "cave/mesh_files/screen_file.h"
 #include "cave/screen/mesh_faults.h"
+#include "cave/screen/screen_facts.h"
 
 namespace carom {
 namespace {
@@ -68,9 +69,20 @@ glm::dvec3 facingOf(const ScreenGrid& grid) {
   return area;
 }
 
-/// Returns places where eyes may be before a screen with these places, which faces this way.
-std::vector<glm::dvec3> eyesBefore(const std::vector<glm::dvec3>& places, const glm::dvec3& facing,
-                                   const MeasuredWishes& wishes) {
+/// Returns the place at the middle of the window; NaN: there is no screen.
+glm::dvec3 centralOf(const ScreenMesh& mesh) {
+  return inRoom_m(mesh, glm::dvec2(0.5)).value_or(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+}
+
+glm::dvec3 centralOf(const ScreenGrid& grid) { return glm::dvec3(grid.at(grid.columns / 2, grid.rows / 2)); }
+
+/// Returns places where eyes may be before a screen: where people stand, if that is on the side to which it
+/// faces, or if it bends round them, mirrored as for projection from behind; else on the side to which it
+/// faces.
+template <class Measured>
+std::vector<glm::dvec3> eyesBefore(const Measured& screen, const MeasuredWishes& wishes) {
+  const std::vector<glm::dvec3> places = placesOf(screen);
+  const glm::dvec3 facing = facingOf(screen);
   glm::dvec3 middle_m(0.0);
   if (places.empty()) return eyesAround(wishes.eyes_m * wishes.up, wishes.up, wishes.reach_m);
   for (const glm::dvec3& place : places) middle_m += place / static_cast<double>(places.size());
@@ -83,7 +95,9 @@ std::vector<glm::dvec3> eyesBefore(const std::vector<glm::dvec3>& places, const 
     return least_m;
   };
   constexpr double kNearest_m = 0.3;
-  const bool isBefore = glm::dot(eyes_m - middle_m, facing) > 0.0 && nearest_m() > kNearest_m;
+  const bool isBefore = (glm::dot(eyes_m - middle_m, facing) > 0.0 ||
+                         bendsRound(centralOf(screen) - middle_m, eyes_m - middle_m, facing)) &&
+                        nearest_m() > kNearest_m;
   if (!isBefore && glm::length(facing) > 0.0)
     eyes_m = middle_m + std::max(1.0, width_m) * glm::normalize(facing);
   return eyesAround(eyes_m, wishes.up, std::min(wishes.reach_m, 0.5 * nearest_m()));
@@ -99,7 +113,7 @@ Made madeOf(ScreenMesh mesh, const MeasuredScreen& measured, const MeasuredWishe
   putInRoom(mesh, measured);
   const std::string large = largeCellIn(mesh);
   if (!large.empty()) throw std::runtime_error(large);
-  std::vector<glm::dvec3> eyes_m = eyesBefore(placesOf(mesh), facingOf(mesh), wishes);
+  std::vector<glm::dvec3> eyes_m = eyesBefore(mesh, wishes);
   return {std::move(mesh), std::move(eyes_m)};
 }
 
@@ -107,7 +121,7 @@ Made madeOf(ScreenGrid grid, const MeasuredScreen& measured, const MeasuredWishe
   putInRoom(grid, measured);
   const std::string large = largeCellIn(grid);
   if (!large.empty()) throw std::runtime_error(large);
-  std::vector<glm::dvec3> eyes_m = eyesBefore(placesOf(grid), facingOf(grid), wishes);
+  std::vector<glm::dvec3> eyes_m = eyesBefore(grid, wishes);
   ScreenMesh mesh = meshOf(grid, wishes.window_px, eyes_m).mesh;
   if (mesh.empty())
     throw std::runtime_error("the grid is too ragged or rough to be drawn, expected a smoother one");

@@ -53,10 +53,8 @@ double turns_rad(const CurvedScreen& screen, const std::vector<glm::dvec3>& norm
   return std::acos(std::clamp(glm::dot(one, farthestFrom(one)), -1.0, 1.0));
 }
 
-/// Returns whether the middle of the screen is farther from the eyes than the plane of the whole: along the
-/// mean normal, which halves a screen that bends round them.
-bool bendsRound(const ScreenMesh& mesh, const glm::dvec3& eyes_m) {
-  constexpr double kBends_m = 0.005;
+/// Returns whether the middle of the screen's window is farther from the eyes than the screen's mean place.
+bool meshBendsRound(const ScreenMesh& mesh, const glm::dvec3& eyes_m) {
   glm::dvec3 area(0.0), middle_m(0.0);
   const ScreenPoint* central = &mesh.front()[0];
   for (const ScreenTriangle& t : mesh) {
@@ -68,12 +66,17 @@ bool bendsRound(const ScreenMesh& mesh, const glm::dvec3& eyes_m) {
         central = &point;
     }
   }
-  const glm::dvec3 normal = glm::normalize(area), toEyes = eyes_m - middle_m;
-  return glm::dot(central->inRoom_m - middle_m, normal) * glm::dot(toEyes, normal) < 0.0 &&
-         std::abs(glm::dot(central->inRoom_m - middle_m, normal)) > kBends_m;
+  return bendsRound(central->inRoom_m - middle_m, eyes_m - middle_m, area);
 }
 
 }  // namespace
+
+bool bendsRound(const glm::dvec3& central_m, const glm::dvec3& eyes_m, const glm::dvec3& facing) {
+  constexpr double kBends_m = 0.005;
+  const glm::dvec3 normal = glm::normalize(facing);
+  return glm::dot(central_m, normal) * glm::dot(eyes_m, normal) < 0.0 &&
+         std::abs(glm::dot(central_m, normal)) > kBends_m;
+}
 
 ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, const glm::dvec3& eyes_m) {
   ScreenFacts facts;
@@ -103,7 +106,7 @@ ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, con
   }
   for (const FlatPiece& piece : screen.pieces)
     texels += static_cast<double>(piece.wall.pixels.x) * piece.wall.pixels.y;
-  facts.isMirrored = mostSquarely <= 0.0 && bendsRound(screen.mesh, eyes_m);
+  facts.isMirrored = mostSquarely <= 0.0 && meshBendsRound(screen.mesh, eyes_m);
   facts.isBehind = mostSquarely <= 0.0 && !facts.isMirrored;
   facts.mostIncidence_rad =
       std::acos(std::clamp(facts.isMirrored ? -mostSquarely : leastSquarely, -1.0, 1.0));

@@ -22,6 +22,11 @@ struct ScreenFacts {
   bool isMirrored = false;
 };
 
+/// Returns whether a screen bends round the eyes: along its mean normal the middle of its window is farther
+/// from them than its mean place, from which both are given, in metres. `facing`: along that normal, of any
+/// length and either sign.
+bool bendsRound(const glm::dvec3& central_m, const glm::dvec3& eyes_m, const glm::dvec3& facing);
+
 ScreenFacts factsOf(const CurvedScreen& screen, const glm::ivec2& window_px, const glm::dvec3& eyes_m);
 
 }  // namespace carom

@@ -82,7 +82,8 @@ std::string Language::other(std::string_view english) const {
 }
 
 std::string Language::packed() const {
-  nlohmann::json all{{"code", code_}, {"texts", nlohmann::json::object()}, {"others", others_}};
+  nlohmann::json all{
+      {"code", code_}, {"texts", nlohmann::json::object()}, {"others", others_}, {"plates", gamePlates_}};
   for (const Entry& entry : catalogue())
     if (const auto& forms = forms_[entry.text.index()]; !forms.empty()) all["texts"][entry.name] = forms;
   return all.dump();
@@ -95,16 +96,23 @@ Language Language::unpacked(const std::string& line) {
   for (const auto& [name, forms] : all.at("texts").items())
     made.put(textNamed(name).index(), forms.get<std::vector<std::string>>());
   made.others_ = all.at("others").get<decltype(made.others_)>();
+  made.gamePlates_ = all.at("plates").get<std::string>();
   return made;
 }
 
-std::string Language::allWords(std::string_view names) const {
+std::string Language::allWords() const {
   std::string all;
+  for (const auto& forms : forms_)
+    for (const std::string& words : forms) all += words;
+  for (const auto& [english, words] : others_) all += words;
+  return all;
+}
+
+std::string Language::plateWords() const {
+  std::string all = gamePlates_;
   for (const Entry& entry : catalogue())
-    if (entry.name.starts_with(names))
+    if (entry.name.starts_with("plate."))
       for (const std::string& words : forms_[entry.text.index()]) all += words;
-  if (names.empty())
-    for (const auto& [english, words] : others_) all += words;
   return all;
 }
 

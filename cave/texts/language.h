@@ -37,13 +37,16 @@ class Language {
   void put(std::size_t index, std::vector<std::string> forms);
   /// Sets the words of a text of a game, by its English.
   void putOther(std::string english, std::string words);
+  /// Says that words of a game stand on plates, too.
+  void putOnPlates(std::string_view words) { gamePlates_ += words; }
 
   /// Returns all of it in one line, for another node, and makes it from such a line.
   std::string packed() const;
   static Language unpacked(const std::string& line);
-  /// Returns all its words, one after the other: of texts whose names begin so, and with "" those of games,
-  /// too.
-  std::string allWords(std::string_view names) const;
+  /// Returns all its words, one after the other.
+  std::string allWords() const;
+  /// Returns those that stand on plates, whose letters are few (cave/gl/letter_atlas.h).
+  std::string plateWords() const;
 
   const std::string& code() const { return code_; }
   const Digits& digits() const { return digits_; }
@@ -61,6 +64,7 @@ class Language {
   bool isPseudo_ = false;
   std::vector<std::vector<std::string>> forms_;  ///< of each text; none: English
   std::unordered_map<std::string, std::string> others_;
+  std::string gamePlates_;  ///< those of others_ that stand on plates
 };
 
 /// Sets the languages of the session, by their numbers in its records; null: English. They are read by all

@@ -97,6 +97,9 @@ constexpr std::array kTrackerRows{
     TrackerRow{Kind::hidImu, "hid-imu", true, Source::address, "", makeHidImu},
     TrackerRow{Kind::spaceMouse, "spacemouse", true, Source::maybeAddress, "", makeSpaceMouse},
     TrackerRow{Kind::headset, "headset", false, Source::none, "", nullptr}};
+static_assert(kTrackerRows.size() == static_cast<std::size_t>(Kind::headset) + 1, "a kind has no row");
+static_assert(std::ranges::is_partitioned(kTrackerRows, &TrackerRow::isInRigs),
+              "the kinds of rigs come first, as their key counts them");
 
 /// Whether a tracker may send nothing until it is touched.
 bool saysNothingAtRest(const TrackerSetup& setup) {

@@ -1,6 +1,7 @@
 // Each field of a frame's record is changed in turn: the rules, the digest and the session file all notice.
 #include "cave/record/record_fields.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "app/journal/session_facts.h"
 #include "app/journal/session_file.h"
 #include "app/journal_frames.h"
 #include "app/temporary_folder.h"
@@ -197,6 +199,9 @@ TEST(RecordFields, TheTablesHaveTheColumnsOfTheirVersion) {
   { Journal journal(folder / "game.db", factsForTwo(), false); }
   SQLite::Database database((folder / "game.db").string());
   std::ifstream lines(std::filesystem::path(CAROM_TESTS_DIR) / "app/data/session-columns.txt");
+  std::string version;
+  std::getline(lines, version);
+  EXPECT_EQ(version, fmt::format("version: {}", kJournalVersion)) << "new columns are a new version";
   int tables = 0;
   for (std::string expected; std::getline(lines, expected); ++tables) {
     const std::string table = expected.substr(0, expected.find(':'));

@@ -8,11 +8,13 @@
 #include <fstream>
 #include <limits>
 #include <random>
+#include <string>
 
 #include "app/journal/journal.h"
 #include "app/journal_frames.h"
 #include "app/temporary_folder.h"
 #include "cave/record/record_rules.h"
+#include "cave/record/time_views.h"
 #include "log_lines.h"
 
 namespace carom {
@@ -222,9 +224,11 @@ std::string refusalOfFirst(const std::filesystem::path& file) {
 }
 
 TEST(SessionFile, AColumnThatCannotBeIsRefusedWithFileFrameAndField) {
-  const std::vector<std::pair<const char*, const char*>> damages{
+  constexpr unsigned allViews = (1U << kNamedViews.size()) - 1;
+  const std::vector<std::pair<std::string, std::string>> damages{
       {"switches is 64, expected 0 to 31", "frame SET switches = 64"},
-      {"views is 16384, expected 0 to 16383", "frame SET views = 16384"},
+      {"views is " + std::to_string(allViews + 1) + ", expected 0 to " + std::to_string(allViews),
+       "frame SET views = " + std::to_string(allViews + 1)},
       {"beside is 32, expected 0 to 31", "frame SET beside = 32"},
       {"blank is 300, expected a whole number up to 255", "frame SET blank = 300"},
       {"shown is -1, expected", "frame SET shown = -1"},

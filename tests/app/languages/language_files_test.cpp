@@ -58,6 +58,20 @@ TEST(LanguageFiles, APoFileIsReadWithItsOther) {
   EXPECT_EQ(loadLanguage((folder / "scenarios.po").string(), {})->other("slow"), "lento");
 }
 
+// Plates have letters of their own, which are set before anything is drawn.
+TEST(LanguageFiles, LabelsOfLessonsStandOnPlates) {
+  const TemporaryFolder folder;
+  const auto file = folder.file(
+      "scenarios.po", bareHead("de") + entry("angles.toml name slow", "slow", "träge") +
+                          entry("mass-energy.toml lesson label 1 text", "hot: 2.5 M", "heiß: 2,5 M"));
+  const auto language = loadLanguage(file.string(), {});
+  for (const std::string& words :
+       {language->plateWords(), texts::Language::unpacked(language->packed()).plateWords()}) {
+    EXPECT_NE(words.find("heiß"), std::string::npos) << words;
+    EXPECT_EQ(words.find("träge"), std::string::npos) << words;
+  }
+}
+
 TEST(LanguageFiles, AnErrorInAnyFileIsAnErrorOfTheLanguage) {
   const TemporaryFolder folder;
   const auto file = folder.file(

@@ -19,7 +19,8 @@ UNDRAWN = "#frame=-1"
 class OpenPage:
     """One browser, for one page after the other: it takes seconds to start. It draws by OpenGL, for which it needs a display:
     where there is no card, Mesa keeps its shaders from run to run, while the browser's own drawing by the processor makes each
-    of them anew for seconds. The window is small: a picture in motion takes processor from what a test asks meanwhile."""
+    of them anew for seconds. On a fresh machine they are made for a minute or two, so nothing here is impatient, and the browser
+    does not end what draws. The window is small: a picture in motion takes processor from what a test asks meanwhile."""
 
     def __init__(self, file=None, width=400, height=240, flags=()):
         self.show(file)
@@ -27,7 +28,7 @@ class OpenPage:
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
         for flag in ("--headless=new", "--no-sandbox", "--force-device-scale-factor=1", "--disable-dev-shm-usage",
-                     "--use-angle=gl", "--ignore-gpu-blocklist", "--enable-unsafe-swiftshader",
+                     "--use-angle=gl", "--ignore-gpu-blocklist", "--enable-unsafe-swiftshader", "--disable-gpu-watchdog",
                      f"--user-data-dir={self.profile.name}",
                      f"--window-size={width},{height}", *flags):
             options.add_argument(flag)
@@ -79,7 +80,7 @@ class OpenPage:
         self.driver.switch_to.new_window("tab")
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", self.metrics)
 
-    def until(self, script, patience_s=120.0):
+    def until(self, script, patience_s=300.0):
         ends = time.monotonic() + patience_s
         while not self.run(script):
             assert time.monotonic() < ends, f"in vain: {script}; the browser says {self.log()}"

@@ -173,7 +173,9 @@ def test_programs(page):
         found = subprocess.run([validator, *files], capture_output=True, text=True)
         assert found.returncode == 0, found.stdout[-2000:]
     chosen = list(variants) if THOROUGH or not validator else covering(variants)
-    assert page.call("programs", chosen) == len(chosen)
+    A_LOT = 4  # a call is given up after minutes
+    linked = sum(page.call("programs", chosen[first : first + A_LOT]) for first in range(0, len(chosen), A_LOT))
+    assert linked == len(chosen)
     print(f"programs: {len(texts)} texts of {len(variants)} variants are valid, {len(chosen)} variants linked by the browser")
 
 

@@ -23,6 +23,8 @@ namespace {
 using test::Box;
 using test::kC_m_s;
 
+static_assert(kNamedViews.size() + sizeof(Switches) == sizeof(TimeViews), "a view of time has no row");
+
 // A pixel is lit if a sample of it is covered: up to a pixel on either side; thin tips may cover none.
 constexpr double kBeyond_px = 1.51, kShort_px = 4.0;
 const glm::ivec2 kPicture_px{400, 400};
