@@ -136,7 +136,8 @@ def test_three_orders(page, wall):
     assert seen[0] == seen[1] == seen[2], seen
     assert all(abs(at_m) < 6 for body in seen[0] for place in body for at_m in place), seen  # on the table, retarded
     print("follow: the three were told", told)
-    assert all(one["wholes"] == 1 and one["messages"] > 3 for one in told), told
+    # All is told anew to one who could not read for a while, as on a busy machine; not at each news.
+    assert all(4 * one["wholes"] <= one["messages"] for one in told), told
     lazy.close()
 
 
