@@ -98,11 +98,10 @@ finish() {
 }
 replayed() { # the pictures of the replay are those of the session, of which some came too fast to be written
   "$carom" replay "$db" --capture "$out/again" --no-window 2>"$out/stderr" || fail "the session cannot be replayed"
-  local picture count=0
-  for picture in "$out"/live/*.png; do
-    cmp -s "$picture" "$out/again/$(basename "$picture")" || fail "$(basename "$picture") is another picture in the replay"
-    count=$((count + 1))
-  done
+  local count other
+  count=$(find "$out/live" -name '*.png' | wc -l)
+  other=$(diff -rq "$out/live" "$out/again" | grep -v "^Only in $out/again" | head -3)  # a busy machine makes many thousands
+  [ -z "$other" ] || fail "another picture in the replay: $other"
   [ $count -gt 40 ] || fail "only $count pictures"
   echo "$count pictures, the same again"
   rm -rf "$out/live" "$out/again"
