@@ -46,16 +46,7 @@ std::vector<glm::dvec3> placesOf(const ScreenGrid& grid) {
   return places;
 }
 
-/// Returns the sum of the normals of the screen's cells, to the side from which its window is not mirrored.
-glm::dvec3 facingOf(const ScreenMesh& mesh) {
-  glm::dvec3 area(0.0);
-  for (const ScreenTriangle& t : mesh) {
-    const double side = windowArea(t) < 0.0 ? -1.0 : 1.0;
-    area += side * glm::cross(t[1].inRoom_m - t[0].inRoom_m, t[2].inRoom_m - t[0].inRoom_m);
-  }
-  return area;
-}
-
+/// As facingOf of a screen's triangles, from the cells of a grid.
 glm::dvec3 facingOf(const ScreenGrid& grid) {
   glm::dvec3 area(0.0);
   for (int row = 0; row + 1 < grid.rows; ++row) {

@@ -55,21 +55,28 @@ double turns_rad(const CurvedScreen& screen, const std::vector<glm::dvec3>& norm
 
 /// Returns whether the middle of the screen's window is farther from the eyes than the screen's mean place.
 bool meshBendsRound(const ScreenMesh& mesh, const glm::dvec3& eyes_m) {
-  glm::dvec3 area(0.0), middle_m(0.0);
+  glm::dvec3 middle_m(0.0);
   const ScreenPoint* central = &mesh.front()[0];
   for (const ScreenTriangle& t : mesh) {
-    const double side = windowArea(t) < 0.0 ? -1.0 : 1.0;
-    area += side * glm::cross(t[1].inRoom_m - t[0].inRoom_m, t[2].inRoom_m - t[0].inRoom_m);
     for (const ScreenPoint& point : t) {
       middle_m += point.inRoom_m / (3.0 * static_cast<double>(mesh.size()));
       if (glm::distance(point.inWindow, glm::dvec2(0.5)) < glm::distance(central->inWindow, glm::dvec2(0.5)))
         central = &point;
     }
   }
-  return bendsRound(central->inRoom_m - middle_m, eyes_m - middle_m, area);
+  return bendsRound(central->inRoom_m - middle_m, eyes_m - middle_m, facingOf(mesh));
 }
 
 }  // namespace
+
+glm::dvec3 facingOf(const ScreenMesh& mesh) {
+  glm::dvec3 area(0.0);
+  for (const ScreenTriangle& t : mesh) {
+    const double side = windowArea(t) < 0.0 ? -1.0 : 1.0;
+    area += side * glm::cross(t[1].inRoom_m - t[0].inRoom_m, t[2].inRoom_m - t[0].inRoom_m);
+  }
+  return area;
+}
 
 bool bendsRound(const glm::dvec3& central_m, const glm::dvec3& eyes_m, const glm::dvec3& facing) {
   constexpr double kBends_m = 0.005;

@@ -22,6 +22,9 @@ struct ScreenFacts {
   bool isMirrored = false;
 };
 
+/// Returns the sum of the normals of the screen's cells, to the side from which its window is not mirrored.
+glm::dvec3 facingOf(const ScreenMesh& mesh);
+
 /// Returns whether a screen bends round the eyes: along its mean normal the middle of its window is farther
 /// from them than its mean place, from which both are given, in metres. `facing`: along that normal, of any
 /// length and either sign.

@@ -100,7 +100,7 @@ replayed() { # the pictures of the replay are those of the session, of which som
   "$carom" replay "$db" --capture "$out/again" --no-window 2>"$out/stderr" || fail "the session cannot be replayed"
   local count other
   count=$(find "$out/live" -name '*.png' | wc -l)
-  other=$(diff -rq "$out/live" "$out/again" | grep -v "^Only in $out/again" | head -3)  # a busy machine makes many thousands
+  other=$(diff -rq "$out/live" "$out/again" 2>&1 | grep -v "^Only in $out/again" | head -3)  # a busy machine makes many thousands
   [ -z "$other" ] || fail "another picture in the replay: $other"
   [ $count -gt 40 ] || fail "only $count pictures"
   echo "$count pictures, the same again"
