@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/languages/source_text.h"
 #include "app/scenario/scenario.h"
 #include "app/toml/config_folder.h"
 #include "cave/gl/letter_atlas.h"
@@ -187,7 +188,7 @@ class Places {
   }
 
   void addInScene(const std::string& entry, const std::string& words) {
-    if (!isOf(entry, "plate.") && !isOf(fileAndPart(entry).second, "lesson label")) return;
+    if (!standsOnPlates(entry)) return;
     add(entry, "plate", static_cast<double>(lettersOf(words)) * kLetterCell_px.x,
         static_cast<double>(kPlateLetters) * kLetterCell_px.x);
   }

@@ -44,9 +44,7 @@ Vec3 RayPicking::seenInRoom_m(const WorldLine& body, const Sight& sight) {
   const EyeView& eye = sight.observer.of(sight.eye);
   const Lorentz& headFromBoard = sight.observer.headFromBoard;
   viewBody(body, eye.observation, headFromBoard, view_, sight.switches);
-  const auto centre = kernel::solveEmission(view_.legs.data(), static_cast<int>(view_.legs.size()), Vec3(0.0),
-                                            view_.retarded, view_.contracted);
-  const Vec3 seen_m = kernel::seenFromEye(view_.legs[static_cast<std::size_t>(centre.leg)], centre.event);
+  const Vec3 seen_m = seenFromEye(view_, emissionIn(view_, Vec3(0.0)));
   const Lorentz drawnFromSeen = ViewFrame(headFromBoard, sight.switches).drawnFromSeen;
   return eye.seenFromInRoom_m + kernel::rayThrough(drawnFromSeen.matrix(), seen_m);
 }

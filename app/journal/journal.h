@@ -14,9 +14,8 @@
 //       (app/journal_rows/frame_columns.h), and how the head was known. t_s … z_m: the event at which the
 //       point between the eyes received the frame's light. switches: the sum of the bits retardation 1,
 //       contraction 2, aberration 4, colour 8, searchlight 16; beside: the same for the right half if views
-//       includes split. views: the sum of the bits now on the board 1, my now 2, paths 4, events 8,
-//       clocks 16, split 32, frozen 64, ruler 128, angles 256, strain 512, heat 1024, news 2048,
-//       spacetime 4096, speeds 8192.
+//       includes split. views: the sum of the bits of kNamedViews (cave/record/time_views.h): its first row
+//       is 1, the next 2, then 4, and so on.
 //   knot(frame, body, t_s, x_m, y_m, z_m, u_x, u_y, u_z, proper_time_s, signal_t_s …, deceleration_m_s2,
 //        angle_rad, spin_rad_s, rim_u, spin_slowing_1_s)
 //       Legs that a frame added; u = γβ. signal_t_s …: the event whose light makes the body's points turn.

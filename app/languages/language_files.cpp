@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "app/languages/scenario_texts.h"
+#include "app/languages/source_text.h"
 #include "app/toml/config_folder.h"
 #include "engine/text/code_points.h"
 #include "engine/text/printable.h"
@@ -79,7 +80,7 @@ class Words {
       const SourceText& source = read.rules.sources[one.source];
       source.hasValues ? texts_.push_back({source.context, one.forms})
                        : games_.push_back({source.english, one.forms});
-      if (source.context.find(kLabel) != std::string::npos) labels_ += one.forms.front();
+      if (!source.hasValues && standsOnPlates(source.context)) labels_ += one.forms.front();
     }
   }
 
@@ -100,7 +101,6 @@ class Words {
     std::string of;
     std::vector<std::string> forms;
   };
-  static constexpr std::string_view kLabel = " lesson label ";  ///< in the name of a label's text
 
   std::string code_;
   std::vector<Text> texts_, games_;

@@ -2,6 +2,10 @@
 
 namespace carom {
 
+bool standsOnPlates(std::string_view name) {
+  return name.starts_with("plate.") || name.find(" lesson label ") != std::string_view::npos;
+}
+
 std::vector<SourceText> sourceTexts(std::span<const texts::Entry> catalogue) {
   std::vector<SourceText> all;
   for (const texts::Entry& entry : catalogue) {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cave/texts/language.h"
@@ -17,6 +18,10 @@ struct SourceText {
   std::string reference;  ///< "angles.toml:12"; empty for the catalogue
   bool hasValues = true;  ///< braces in it are places of values
 };
+
+/// Returns whether the text of this name stands on plates among the bodies: one of their own in the
+/// catalogue, or a label of a lesson.
+bool standsOnPlates(std::string_view name);
 
 /// Returns the texts of a catalogue that have words, in its order.
 std::vector<SourceText> sourceTexts(std::span<const texts::Entry> catalogue);

@@ -165,13 +165,11 @@ void SeenRows::findPoints(const SoftModel& model, const SoftPast& past, const Ro
 /// A vertex that is catching up is lit as on its incoming leg: its colour must not flash.
 void SeenRows::findOnLeg(const SoftModel& model, std::size_t number, const RowEye& eye) {
   const SoftModel::Point& of = model.points[number];
-  const kernel::VertexEmission emission =
-      kernel::solveEmission(rigid_.legs.data(), static_cast<int>(rigid_.legs.size()),
-                            glm::dvec3(model.relaxed_m[of.node], of.z_m), rigid_.retarded, rigid_.contracted);
+  const kernel::VertexEmission emission = emissionIn(rigid_, Vec3(model.relaxed_m[of.node], of.z_m));
   const LegView& leg = rigid_.legs[static_cast<std::size_t>(emission.leg)];
   const LegView& lit = emission.catchingUp ? rigid_.legs[static_cast<std::size_t>(emission.leg - 1)] : leg;
   Point& point = points_[number];
-  point.drawn = eye.drawnAtSeen(kernel::seenFromEye(leg, emission.event));
+  point.drawn = eye.drawnAtSeen(seenFromEye(rigid_, emission));
   point.boardTime_m = eye.toldTime_m(kernel::boardTimeOf(leg, emission.event));
   point.u = {lit.toBoardTime.y, lit.toBoardTime.z, lit.toBoardTime.w};
   point.told = 0.0;

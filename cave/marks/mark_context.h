@@ -67,10 +67,7 @@ class OnBody {
         drawnFromSeen_(
             ViewFrame(sight.observer.headFromBoard, sight.switches, moment).drawnFromSeen.matrix()) {}
   glm::dvec3 operator()(const Vec3& offset_m) const {
-    const auto vertex = kernel::solveEmission(view_.legs.data(), static_cast<int>(view_.legs.size()),
-                                              offset_m, view_.retarded, view_.contracted);
-    const LegView& leg = view_.legs[static_cast<std::size_t>(vertex.leg)];
-    return kernel::rayThrough(drawnFromSeen_, kernel::seenFromEye(leg, vertex.event));
+    return kernel::rayThrough(drawnFromSeen_, seenFromEye(view_, emissionIn(view_, offset_m)));
   }
 
  private:

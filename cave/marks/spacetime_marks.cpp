@@ -162,9 +162,8 @@ void addRimClocks(const MarkContext& sight, std::size_t body, double radius_m, d
   for (int k = 0; k < kClocks; ++k) {
     const double angle_rad = 2.0 * std::numbers::pi * k / kClocks;
     const Vec3 foot_m(radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad), 0.0);
-    const auto found = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), foot_m,
-                                             view.retarded, view.contracted);
-    const double rim_s = (centre_s + found.event.x / c_m_s) * std::sqrt((1.0 - rim) * (1.0 + rim));
+    const double rim_s =
+        (centre_s + emissionIn(view, foot_m).event.x / c_m_s) * std::sqrt((1.0 - rim) * (1.0 + rim));
     const std::array<glm::dvec3, 2> stem{draw(foot_m), draw(foot_m + Vec3(0.0, 0.0, kStem_m))};
     batch.addLine(stem, colour, 0.0014);
     const StandingPlate plate = standingPlate(sight, tenthsOf(rim_s), PlateShape::clock, middle_m);

@@ -1,11 +1,11 @@
 #include "devices/calibration/eye_fit.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 
-#include "devices/calibration/eigen_glm.h"
+#include "devices/calibration/symmetric_matrix.h"
 
 namespace carom {
 namespace {
@@ -27,18 +27,16 @@ Line lineOf(const Sighting& sighting) {
 /// The eye e is on the line through q along d: (1 - d dᵀ)(e - q) = 0. Each sighting has two degrees of
 /// freedom.
 EyeFit fitEye(std::span<const Sighting> sightings) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  glm::dmat3 normal(0.0);
+  glm::dvec3 right(0.0);
   for (const Sighting& sighting : sightings) {
     const Line line = lineOf(sighting);
-    const Eigen::Vector3d d = eigenOf(line.along);
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - d * d.transpose();
+    const glm::dmat3 across = glm::dmat3(1.0) - glm::outerProduct(line.along, line.along);
     normal += across;
-    right += across * eigenOf(line.at_m);
+    right += across * line.at_m;
   }
-  const Eigen::Vector3d found = normal.completeOrthogonalDecomposition().solve(right);
   EyeFit fit;
-  fit.eye_m = {found(0), found(1), found(2)};
+  fit.eye_m = leastSolution(normal, right);
   double sum_m2 = 0.0;
   for (const Sighting& sighting : sightings) {
     const Line line = lineOf(sighting);
@@ -48,7 +46,7 @@ EyeFit fitEye(std::span<const Sighting> sightings) {
   const auto count = static_cast<double>(sightings.size());
   fit.rms_m = std::sqrt(sum_m2 / count);
   fit.eyeError_m = std::numeric_limits<double>::infinity();
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normal).eigenvalues()(0);
+  const double least = eigenvaluesOf(normal)[0];
   if (sightings.size() < 2 || !(least > 1e-9 * count)) return fit;
   fit.eyeError_m = fit.rms_m * std::sqrt(count / (2.0 * count - 3.0) / least);
   return fit;

@@ -1,44 +1,39 @@
 #include "devices/calibration/pivot_fit.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 
-#include "devices/calibration/eigen_glm.h"
+#include "devices/calibration/symmetric_matrix.h"
 
 namespace carom {
 
-/// The unknowns are (tip, pivot); each pose gives the three equations (R -1)(tip, pivot) = -position. The
-/// normal equations have the covariance σ² (Σ AᵀA)⁻¹ with 3n - 6 degrees of freedom.
+/// The unknowns are the tip t and the pivot p; each pose (R, x) gives the three equations R t - p = -x. By
+/// the equations for p, n p = Σ R t + Σ x; with it those for t are (n - Σ Rᵀ Σ R / n) t = Σ Rᵀ Σ x / n - Σ Rᵀ
+/// x. The inverse of their matrix, times σ², is the covariance of t, with 3n - 6 degrees of freedom.
 PivotFit fitPivot(std::span<const Pose> trackerFromSensor) {
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  Matrix6 normal = Matrix6::Zero();
-  Vector6 right = Vector6::Zero();
+  const auto count = static_cast<double>(trackerFromSensor.size());
+  glm::dmat3 turns(0.0);
+  glm::dvec3 positions_m(0.0), inSensor_m(0.0);
   for (const Pose& pose : trackerFromSensor) {
-    Eigen::Matrix<double, 3, 6> row;
-    row << eigenOf(pose.orientation), -Eigen::Matrix3d::Identity();
-    normal += row.transpose() * row;
-    right -= row.transpose() * eigenOf(pose.position_m);
+    turns += glm::mat3_cast(pose.orientation);
+    positions_m += pose.position_m;
+    inSensor_m += glm::inverse(pose.orientation) * pose.position_m;
   }
-  const Vector6 found = normal.completeOrthogonalDecomposition().solve(right);
+  const glm::dmat3 ofTip = count * glm::dmat3(1.0) - glm::transpose(turns) * turns / count;
   PivotFit fit;
-  fit.tip_m = {found(0), found(1), found(2)};
-  fit.pivot_m = {found(3), found(4), found(5)};
+  fit.tip_m = leastSolution(ofTip, glm::transpose(turns) * positions_m / count - inSensor_m);
+  fit.pivot_m = (turns * fit.tip_m + positions_m) / count;
   double sum_m2 = 0.0;
   for (const Pose& pose : trackerFromSensor) {
     const glm::dvec3 miss_m = pose * fit.tip_m - fit.pivot_m;
     sum_m2 += glm::dot(miss_m, miss_m);
   }
-  const auto count = static_cast<double>(trackerFromSensor.size());
   fit.rms_m = std::sqrt(sum_m2 / count);
   fit.tipError_m = std::numeric_limits<double>::infinity();
-  // What the poses say of the tip once the pivot is free: the Schur complement of the pivot's part.
-  const Eigen::Matrix3d ofTip =
-      normal.block<3, 3>(0, 0) - normal.block<3, 3>(0, 3) * normal.block<3, 3>(3, 0) / count;
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(ofTip).eigenvalues()(0);
+  const double least = eigenvaluesOf(ofTip)[0];
   if (trackerFromSensor.size() < 4 || !(least > 1e-9 * count)) return fit;
   fit.tipError_m = fit.rms_m * std::sqrt(count / (3.0 * count - 6.0) / least);
   return fit;

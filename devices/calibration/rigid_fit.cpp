@@ -1,12 +1,12 @@
 #include "devices/calibration/rigid_fit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 
-#include "devices/calibration/eigen_glm.h"
+#include "devices/calibration/symmetric_matrix.h"
 
 namespace carom {
 namespace {
@@ -20,30 +20,30 @@ PointPair middleOf(std::span<const PointPair> pairs) {
   return middle;
 }
 
+double traceOf(const glm::dmat3& m) { return m[0][0] + m[1][1] + m[2][2]; }
+
 /// Returns the turn q with the greatest Σ a·(q b), which leaves the least Σ |a - q b|².
 /// B. K. P. Horn, "Closed-form solution of absolute orientation using unit quaternions" (1987), section 4:
 /// with S = Σ b aᵀ, q is the eigenvector to the largest eigenvalue of
 ///   | trace S             (S - Sᵀ as a vector)ᵀ  |
 ///   | S - Sᵀ as a vector  S + Sᵀ - trace S · 1   |
-glm::dquat turnOf(const Eigen::Matrix3d& s) {
-  Eigen::Matrix4d n;
-  const Eigen::Vector3d odd(s(1, 2) - s(2, 1), s(2, 0) - s(0, 2), s(0, 1) - s(1, 0));
-  n(0, 0) = s.trace();
-  n.block<1, 3>(0, 1) = odd.transpose();
-  n.block<3, 1>(1, 0) = odd;
-  n.block<3, 3>(1, 1) = s + s.transpose() - s.trace() * Eigen::Matrix3d::Identity();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(n);
-  const Eigen::Vector4d q = solver.eigenvectors().col(3);  // eigenvalues ascend
-  return glm::normalize(glm::dquat(q(0), q(1), q(2), q(3)));
+glm::dquat turnOf(const glm::dmat3& s) {
+  const double trace = traceOf(s);
+  // s(row, column) is s[column][row].
+  const glm::dvec3 odd(s[2][1] - s[1][2], s[0][2] - s[2][0], s[1][0] - s[0][1]);
+  const glm::dmat3 even = s + glm::transpose(s) - trace * glm::dmat3(1.0);
+  const glm::dmat4 n(glm::dvec4(trace, odd), glm::dvec4(odd.x, even[0]), glm::dvec4(odd.y, even[1]),
+                     glm::dvec4(odd.z, even[2]));
+  const glm::dvec4 q = largestEigenvectorOf(n);
+  return glm::normalize(glm::dquat(q[0], q[1], q[2], q[3]));
 }
 
 /// `side` is 1, or -1 for B mirrored through its origin.
 RigidFit fit(std::span<const PointPair> pairs, double side) {
   const PointPair middle = middleOf(pairs);
-  Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
-  for (const PointPair& pair : pairs) {
-    s += side * eigenOf(pair.inB_m - middle.inB_m) * eigenOf(pair.inA_m - middle.inA_m).transpose();
-  }
+  glm::dmat3 s(0.0);
+  for (const PointPair& pair : pairs)
+    s += glm::outerProduct(side * (pair.inB_m - middle.inB_m), pair.inA_m - middle.inA_m);
   RigidFit found;
   found.aFromB.orientation = turnOf(s);
   found.aFromB.position_m = middle.inA_m - found.aFromB.orientation * (side * middle.inB_m);
@@ -57,11 +57,11 @@ RigidFit fit(std::span<const PointPair> pairs, double side) {
 }
 
 /// Returns Σ (p - middle)(p - middle)ᵀ.
-Eigen::Matrix3d scatterOf(std::span<const glm::dvec3> points_m) {
+glm::dmat3 scatterOf(std::span<const glm::dvec3> points_m) {
   glm::dvec3 middle_m(0.0);
   for (const glm::dvec3& p : points_m) middle_m += p / static_cast<double>(points_m.size());
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const glm::dvec3& p : points_m) scatter += eigenOf(p - middle_m) * eigenOf(p - middle_m).transpose();
+  glm::dmat3 scatter(0.0);
+  for (const glm::dvec3& p : points_m) scatter += glm::outerProduct(p - middle_m, p - middle_m);
   return scatter;
 }
 
@@ -88,9 +88,9 @@ double scaleBetween(std::span<const PointPair> pairs) {
 }
 
 glm::dvec3 extentOf(std::span<const glm::dvec3> points_m) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatterOf(points_m));
+  const glm::dvec3 values = eigenvaluesOf(scatterOf(points_m));
   const auto deviation = [&](int i) {
-    return std::sqrt(std::max(0.0, solver.eigenvalues()(i)) / static_cast<double>(points_m.size()));
+    return std::sqrt(std::max(0.0, values[i]) / static_cast<double>(points_m.size()));
   };
   return {deviation(2), deviation(1), deviation(0)};
 }
@@ -103,10 +103,10 @@ FitError errorOf(const RigidFit& fit, std::span<const PointPair> pairs) {
   if (pairs.size() < 4) return {kInfinite, kInfinite};
   const auto count = static_cast<double>(pairs.size());
   const double sigma_m = fit.rms_m * std::sqrt(count / (3.0 * count - 6.0));
-  const Eigen::Matrix3d scatter = scatterOf(pointsInA(pairs));
-  const Eigen::Matrix3d lever = scatter.trace() * Eigen::Matrix3d::Identity() - scatter;
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(lever).eigenvalues()(0);
-  const bool onALine = !(least > 1e-9 * scatter.trace());
+  const glm::dmat3 scatter = scatterOf(pointsInA(pairs));
+  const double trace = traceOf(scatter);
+  const double least = eigenvaluesOf(trace * glm::dmat3(1.0) - scatter)[0];
+  const bool onALine = !(least > 1e-9 * trace);
   return {sigma_m / std::sqrt(count), onALine ? kInfinite : sigma_m / std::sqrt(least)};
 }
 

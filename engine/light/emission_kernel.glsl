@@ -1,9 +1,9 @@
 // The emission solve, once: this text and the four before it (leg_kernel, spin_kernel, glide_kernel and
 // turning_kernel.glsl, in this order) are compiled as GLSL in the vertex shader and as C++ (over GLM) in
 // engine/light/emission_kernel.h. The including source provides the types real, vec2, vec3, vec4, mat4, the
-// type LEGS by which legs are reached, KERNEL (the beginning of a function definition), INOUT(type) (a
-// parameter that is changed), UNROLLED (what a loop begins with that is to be written out), the numbers
-// MAX_PIECES and CATCH_UP_SPEED and, afterwards, the function legAt.
+// type LEGS by which legs are reached, LEG of one that is only read, KERNEL (the beginning of a function
+// definition), INOUT(type) (a parameter that is changed), UNROLLED (what a loop begins with that is to be
+// written out), the numbers MAX_PIECES and CATCH_UP_SPEED and, afterwards, the function legAt.
 //
 // Where: in the rest frame of a leg, its origin at the event at which the body's centre emitted the light
 // that the eye receives. Times are lengths (c t, metres) and come first in a vec4: (c t, x, y, z).
@@ -19,7 +19,7 @@
 //                     centre.
 // Theory: app/doc/physics.md, Emission; Bounce and catching up.
 
-LegView legAt(LEGS legs, int i);
+LEG legAt(LEGS legs, int i);
 
 /// Where and when a vertex emitted the light that the eye receives.
 struct VertexEmission {
@@ -29,7 +29,7 @@ struct VertexEmission {
 };
 
 /// The vertex's emission if it kept to this leg always.
-KERNEL vec4 emissionOnLeg(LegView leg, vec3 d, bool retarded, bool contracted) {
+KERNEL vec4 emissionOnLeg(LEG leg, vec3 d, bool retarded, bool contracted) {
   if (!retarded && !contracted) return vec4(real(0), carriedAlong(leg, vec4(real(0)), d));
   if (leg.spin.w > real(0)) {
     bool uniform_ = !(leg.glide.w > real(0)) && !isSlowed(leg);
@@ -54,7 +54,7 @@ KERNEL VertexEmission uncontractedEmission(LEGS legs, int legCount, vec3 d, bool
   emission.leg = 0;
   emission.catchingUp = false;
   for (int i = 1; i < legCount; ++i) {
-    LegView leg = legAt(legs, i);
+    LEG leg = legAt(legs, i);
     vec4 onLeg = emissionOnLeg(leg, d, retarded, false);
     if (dot(leg.toBoardTime, onLeg) >= leg.glideTimes.z) {
       emission.event = onLeg;
@@ -81,19 +81,19 @@ struct Joining {
 /// The velocity, over c, of what takes this step in time and space.
 KERNEL vec3 velocityOf(vec4 step) { return vec3(step.y, step.z, step.w) / step.x; }
 
-KERNEL bool isCurved(LegView leg) { return leg.spin.w > real(0) || leg.glide.w > real(0); }
+KERNEL bool isCurved(LEG leg) { return leg.spin.w > real(0) || leg.glide.w > real(0); }
 
 /// Where the vertex's curve on `leg` crosses the future cone of the signal.
-KERNEL vec4 crossingOnCurve(LegView leg, vec3 d, vec4 signal) {
+KERNEL vec4 crossingOnCurve(LEG leg, vec3 d, vec4 signal) {
   if (leg.spin.w > real(0)) return turningEvent(leg, d, turningReached(leg, d, signal, real(1)));
   return glideEvent(leg, d, glideCrossing(leg, d, signal), true);
 }
 
 /// An event of the previous leg's frame, in the frame of `leg`.
-KERNEL vec4 fromPreviousLeg(LegView leg, vec4 event) { return leg.originInThis + leg.fromPrevious * event; }
+KERNEL vec4 fromPreviousLeg(LEG leg, vec4 event) { return leg.originInThis + leg.fromPrevious * event; }
 
 /// The inverse: of a Lorentz transform Λ it is η Λᵀ η.
-KERNEL vec4 toPreviousLeg(LegView leg, vec4 event) {
+KERNEL vec4 toPreviousLeg(LEG leg, vec4 event) {
   vec4 here = event - leg.originInThis;
   vec4 there = vec4(here.x, -here.y, -here.z, -here.w) * leg.fromPrevious;
   return vec4(there.x, -there.y, -there.z, -there.w);
@@ -122,7 +122,7 @@ KERNEL vec4 leaveLeg(LEGS legs, int i, INOUT(VertexPath) path, vec3 d, vec4 sign
 }
 
 /// Takes the pieces from the previous leg's frame into the frame of `leg`.
-KERNEL void enterFrame(INOUT(VertexPath) path, LegView leg) {
+KERNEL void enterFrame(INOUT(VertexPath) path, LEG leg) {
   for (int k = 0; k < path.count; ++k) {
     path.pieces[k].velocity = velocityOf(leg.fromPrevious * vec4(real(1), path.pieces[k].velocity));
     path.pieces[k].start = fromPreviousLeg(leg, path.pieces[k].start);
@@ -130,7 +130,7 @@ KERNEL void enterFrame(INOUT(VertexPath) path, LegView leg) {
 }
 
 /// B: from event A straight to the vertex's place on `leg`, at catchUpSpeed in its frame.
-KERNEL Joining joinLeg(LegView leg, vec3 d, vec4 a) {
+KERNEL Joining joinLeg(LEG leg, vec3 d, vec4 a) {
   vec3 gap = d - vec3(a.y, a.z, a.w);
   real gapLength = length(gap);
   Joining joining;
@@ -153,7 +153,7 @@ KERNEL Joining joinLeg(LegView leg, vec3 d, vec4 a) {
 
 /// Adds the two pieces of a joining of leg `i`. Without room for them, forgets the two oldest: no signal
 /// reaches that far back.
-KERNEL void addJoining(INOUT(VertexPath) path, Joining joining, LegView leg, int i) {
+KERNEL void addJoining(INOUT(VertexPath) path, Joining joining, LEG leg, int i) {
   if (path.count > MAX_PIECES - 2) {
     for (int k = 2; k < path.count; ++k) {
       path.pieces[k - 2] = path.pieces[k];
@@ -170,8 +170,8 @@ KERNEL void addJoining(INOUT(VertexPath) path, Joining joining, LegView leg, int
 
 /// The same as below, of a body with two legs: the first has no beginning, and the vertex leaves it once.
 KERNEL VertexEmission emissionAroundTurn(LEGS legs, vec3 d, bool retarded) {
-  LegView before = legAt(legs, 0);
-  LegView after = legAt(legs, 1);
+  LEG before = legAt(legs, 0);
+  LEG after = legAt(legs, 1);
   vec4 signal = after.signalInPrevious;
   VertexEmission emission;
   emission.event = emissionOnLeg(before, d, retarded, true);
@@ -196,7 +196,7 @@ KERNEL VertexEmission emissionAroundTurn(LEGS legs, vec3 d, bool retarded) {
 KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retarded, bool contracted) {
   if (!contracted) return uncontractedEmission(legs, legCount, d, retarded);
   if (legCount == 2) return emissionAroundTurn(legs, d, retarded);
-  LegView leg = legAt(legs, 0);
+  LEG leg = legAt(legs, 0);
   VertexEmission emission;
   emission.event = emissionOnLeg(leg, d, retarded, true);
   emission.leg = 0;
@@ -210,7 +210,7 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retard
   path.count = 1;
   vec4 here = emission.event;  // the same event, in the frame of the leg at hand
   for (int i = 1; i < legCount; ++i) {
-    LegView next = legAt(legs, i);
+    LEG next = legAt(legs, i);
     bool reached = reachedBy(next.signalInPrevious, here);
     vec4 a = leaveLeg(legs, i - 1, path, d, next.signalInPrevious);
     enterFrame(path, next);
@@ -230,15 +230,15 @@ KERNEL VertexEmission solveEmission(LEGS legs, int legCount, vec3 d, bool retard
 }
 
 /// The emission event seen from the eye, in the head frame: along it comes the straight ray that walls draw.
-KERNEL vec3 seenFromEye(LegView leg, vec4 event) {
+KERNEL vec3 seenFromEye(LEG leg, vec4 event) {
   return leg.seenCentre + vec3(dot(leg.toSeenX, event), dot(leg.toSeenY, event), dot(leg.toSeenZ, event));
 }
 
 /// Distance that the light travels in the leg's rest frame: the eye receives at c t = l0.
-KERNEL real distanceInBody(LegView leg, vec4 event) { return leg.distance - event.x; }
+KERNEL real distanceInBody(LEG leg, vec4 event) { return leg.distance - event.x; }
 
 /// c (t − t_o): how long ago the light left, in board time (negative).
-KERNEL real boardTimeOf(LegView leg, vec4 event) { return leg.boardTime + dot(leg.toBoardTime, event); }
+KERNEL real boardTimeOf(LEG leg, vec4 event) { return leg.boardTime + dot(leg.toBoardTime, event); }
 
 /// A place from the eye, taken for where light that arrives now comes from, (−|x|, x), in another frame.
 KERNEL vec3 rayThrough(mat4 otherFromThis, vec3 x) {

@@ -14,11 +14,12 @@
 #include "engine/spacetime/world_line.h"
 
 #define LEGS const LegView*
-#define KERNEL [[gnu::always_inline]] inline  // or no loop over vertices becomes vector instructions
+#define LEG const LegView&
 #define INOUT(type) type&
 #define UNROLLED _Pragma("GCC unroll 8")
 #define CATCH_UP_SPEED carom::kCatchUpSpeed
 
+#define KERNEL inline
 namespace carom::kernel {
 using std::floor;
 using std::log;
@@ -39,13 +40,15 @@ inline real max(real a, real b) { return a < b ? b : a; }
 #include "engine/light/turning_kernel.glsl"
 #include "engine/light/emission_kernel.glsl"
 // clang-format on
-inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
+inline const LegView& legAt(const LegView* legs, int i) { return legs[i]; }
 /// Solves with retardation and contraction.
 inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
   return solveEmission(legs, legCount, d, true, true);
 }
 }  // namespace carom::kernel
+#undef KERNEL
 
+#define KERNEL [[gnu::always_inline]] inline  // or no loop over vertices becomes vector instructions
 namespace carom::kernel_float {
 using std::floor;
 using std::log;
@@ -66,7 +69,7 @@ inline real max(real a, real b) { return a < b ? b : a; }
 #include "engine/light/turning_kernel.glsl"
 #include "engine/light/emission_kernel.glsl"
 // clang-format on
-inline LegView legAt(const LegView* legs, int i) { return legs[i]; }
+inline const LegView& legAt(const LegView* legs, int i) { return legs[i]; }
 /// Solves with retardation and contraction.
 inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
   return solveEmission(legs, legCount, d, true, true);
@@ -74,6 +77,7 @@ inline VertexEmission solveEmission(const LegView* legs, int legCount, vec3 d) {
 }  // namespace carom::kernel_float
 
 #undef LEGS
+#undef LEG
 #undef CATCH_UP_SPEED
 #undef UNROLLED
 #undef INOUT

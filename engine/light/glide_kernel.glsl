@@ -8,17 +8,17 @@
 KERNEL real gammaOf(real u) { return sqrt(real(1) + u * u); }
 
 /// The board time nearest to s within the glide.
-KERNEL real withinGlide(LegView leg, real s) { return min(max(s, leg.glideTimes.z), leg.glideTimes.w); }
+KERNEL real withinGlide(LEG leg, real s) { return min(max(s, leg.glideTimes.z), leg.glideTimes.w); }
 
 /// u at board time s: from the origin on, where times are short, and 0 from the stop on.
-KERNEL real glideU(LegView leg, real s) {
+KERNEL real glideU(LEG leg, real s) {
   if (s >= leg.glideTimes.w) return real(0);
   real since = withinGlide(leg, s) - withinGlide(leg, real(0));
   return max(leg.glideTimes.y - leg.glide.w * since, real(0));
 }
 
 /// The vertex's event at board time s.
-KERNEL vec4 glideEvent(LegView leg, vec3 d, real s, bool contracted) {
+KERNEL vec4 glideEvent(LEG leg, vec3 d, real s, bool contracted) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   real uO = leg.glideTimes.y;
   real gammaO = gammaOf(uO);
@@ -33,7 +33,7 @@ KERNEL vec4 glideEvent(LegView leg, vec3 d, real s, bool contracted) {
 }
 
 /// How the event moves with s.
-KERNEL vec4 glideFlow(LegView leg, vec3 d, real s, bool contracted) {
+KERNEL vec4 glideFlow(LEG leg, vec3 d, real s, bool contracted) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   real uO = leg.glideTimes.y;
   real u = glideU(leg, s);
@@ -50,7 +50,7 @@ KERNEL int glideSteps() { return 8; }
 KERNEL real noBound() { return real(1e6); }
 
 /// Where the vertex crosses the past cone of the eye: l0 − t = |e − x|.
-KERNEL real glideEmission(LegView leg, vec3 d, bool contracted) {
+KERNEL real glideEmission(LEG leg, vec3 d, bool contracted) {
   real s = dot(leg.toBoardTime, vec4(-extraDistance(leg, d), d));
   for (int i = 0; i < glideSteps(); ++i) {
     vec4 a = glideEvent(leg, d, s, contracted);
@@ -64,7 +64,7 @@ KERNEL real glideEmission(LegView leg, vec3 d, bool contracted) {
 
 /// Where it crosses the plane of the moment that is shown: m·a(s) = 0. From where it would if it went
 /// straight.
-KERNEL real glideMoment(LegView leg, vec3 d, bool contracted) {
+KERNEL real glideMoment(LEG leg, vec3 d, bool contracted) {
   Piece straight;
   straight.start = vec4(real(0), d);
   straight.velocity = vec3(real(0));
@@ -76,7 +76,7 @@ KERNEL real glideMoment(LegView leg, vec3 d, bool contracted) {
 }
 
 /// Where it crosses the future cone of the signal: t − t_n = |x − x_n|.
-KERNEL real glideCrossing(LegView leg, vec3 d, vec4 signal) {
+KERNEL real glideCrossing(LEG leg, vec3 d, vec4 signal) {
   real s = dot(leg.toBoardTime, vec4(signal.x + length(d - vec3(signal.y, signal.z, signal.w)), d));
   for (int i = 0; i < glideSteps(); ++i) {
     vec4 a = glideEvent(leg, d, s, true);
@@ -122,10 +122,10 @@ KERNEL void advance(INOUT(RootSearch) root, real value, real slope) {
 KERNEL real fasterThan(real speed) { return max(catchUpSpeed(), real(0.5) + real(0.5) * speed); }
 
 /// The speed that friction gives the leg in the rest frame of its turn, in the end.
-KERNEL real glideFallsBack(LegView leg) { return leg.glideTimes.x / gammaOf(leg.glideTimes.x); }
+KERNEL real glideFallsBack(LEG leg) { return leg.glideTimes.x / gammaOf(leg.glideTimes.x); }
 
 /// Where one that set out at `start` to catch up meets it. Its lead in the frame of the turn grows with s.
-KERNEL real glideJoining(LegView leg, vec3 d, vec4 start) {
+KERNEL real glideJoining(LEG leg, vec3 d, vec4 start) {
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   // u of the turn's rest frame in this one
   real u = leg.glideTimes.x * gammaOf(leg.glideTimes.y) - leg.glideTimes.y * gammaOf(leg.glideTimes.x);

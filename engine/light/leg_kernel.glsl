@@ -40,7 +40,7 @@ struct Piece {
 };
 
 /// δℓ = |e − d| − l0, the vertex's extra distance, without cancellation: q = |e − d|² − l0² = d·(d − 2e).
-KERNEL real extraDistance(LegView leg, vec3 d) {
+KERNEL real extraDistance(LEG leg, vec3 d) {
   real q = dot(d, d - real(2) * leg.eye);
   return q / (sqrt(max(leg.distance * leg.distance + q, real(0))) + leg.distance);
 }
@@ -67,7 +67,7 @@ KERNEL vec4 crossingOf(Piece piece, vec4 signal) {
 }
 
 /// Where a piece crosses the past cone of the eye: T − s = |X − w s|, the retarded root.
-KERNEL vec4 emissionOn(Piece piece, LegView leg) {
+KERNEL vec4 emissionOn(Piece piece, LEG leg) {
   real T = leg.distance - piece.start.x;
   vec3 X = leg.eye - vec3(piece.start.y, piece.start.z, piece.start.w);
   vec3 w = piece.velocity;
@@ -81,13 +81,13 @@ KERNEL vec4 emissionOn(Piece piece, LegView leg) {
 
 /// Where a piece crosses the plane of the moment that is shown: m·(start + s (1, w)) = 0. Anything slower
 /// than light crosses it once, upwards: m·(1, w) > 0.
-KERNEL vec4 momentOn(Piece piece, LegView leg) {
+KERNEL vec4 momentOn(Piece piece, LEG leg) {
   real now = dot(leg.toMoment, piece.start);
   return along(piece, -now / dot(leg.toMoment, vec4(real(1), piece.velocity)));
 }
 
 /// L(v)⁻¹ d = d + u (u·d)/(γ+1): what rests there has on the board the uncontracted offset d.
-KERNEL vec3 stretched(LegView leg, vec3 d) {
+KERNEL vec3 stretched(LEG leg, vec3 d) {
   vec3 u = vec3(leg.toBoardTime.y, leg.toBoardTime.z, leg.toBoardTime.w);
   return d + u * (dot(u, d) / (leg.toBoardTime.x + real(1)));
 }

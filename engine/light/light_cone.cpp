@@ -241,6 +241,11 @@ void viewBody(const WorldLine& line, const Event& observation, const Lorentz& he
   }
 }
 
+kernel::VertexEmission emissionIn(const BodyView& view, const Vec3& offset_m) {
+  return kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), offset_m, view.retarded,
+                               view.contracted);
+}
+
 Motion centreSeen(const WorldLine& line, const Event& observation, const Switches& switches) {
   const double c_m_s = line.lightSpeed_m_s();
   const ViewQuery ask = viewQueryOf(observation, Lorentz(c_m_s), switches, ViewTime::seen);

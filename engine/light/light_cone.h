@@ -64,6 +64,15 @@ struct ViewFrame {
 void viewBody(const WorldLine& line, const Event& observation, const Lorentz& headFromBoard, BodyView& view,
               const Switches& switches = {}, ViewTime moment = ViewTime::seen);
 
+/// Returns the event of a body-fixed point, `offset_m` from the centre in the body's rest frame, that the
+/// view shows: the kernel in double.
+kernel::VertexEmission emissionIn(const BodyView& view, const Vec3& offset_m);
+
+/// Returns the place of such an event from the eye, in the frame of viewBody().
+inline Vec3 seenFromEye(const BodyView& view, const kernel::VertexEmission& emission) {
+  return kernel::seenFromEye(view.legs[static_cast<std::size_t>(emission.leg)], emission.event);
+}
+
 /// Returns the centre's event whose light the eye receives (without retardation: the event at the eye's board
 /// time), with the reading of its own clock there.
 Motion centreSeen(const WorldLine& line, const Event& observation, const Switches& switches = {});

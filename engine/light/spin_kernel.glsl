@@ -25,21 +25,21 @@ KERNEL vec2 cosSin(real a) {
 KERNEL vec3 turnedBy(vec2 a, vec3 d) { return vec3(a.x * d.x - a.y * d.y, a.y * d.x + a.x * d.y, d.z); }
 
 /// d0: where the vertex is when the leg's time is 0.
-KERNEL vec3 spinStart(LegView leg, vec3 d) { return turnedBy(vec2(leg.spin.y, leg.spin.z), d); }
+KERNEL vec3 spinStart(LEG leg, vec3 d) { return turnedBy(vec2(leg.spin.y, leg.spin.z), d); }
 
-KERNEL bool isSlowed(LegView leg) { return leg.spinSlows.y != real(0); }
+KERNEL bool isSlowed(LEG leg) { return leg.spinSlows.y != real(0); }
 
 /// The own time nearest to s within which the cloth slows the spin.
-KERNEL real withinSlowing(LegView leg, real s) { return min(max(s, leg.spinSlows.z), leg.spinSlows.w); }
+KERNEL real withinSlowing(LEG leg, real s) { return min(max(s, leg.spinSlows.z), leg.spinSlows.w); }
 
 /// γβ of the rim at own time s: it falls evenly, is what it was at the turn before that, and ends at 0.
-KERNEL real slowedRim(LegView leg, real s) {
+KERNEL real slowedRim(LEG leg, real s) {
   if (s >= leg.spinSlows.w) return real(0);
   return leg.spinSlows.x - leg.spinSlows.y * (withinSlowing(leg, s) - withinSlowing(leg, real(0)));
 }
 
 /// ω/c at own time s.
-KERNEL real spinRate(LegView leg, real s) {
+KERNEL real spinRate(LEG leg, real s) {
   if (!isSlowed(leg)) return leg.spin.x;
   real h = slowedRim(leg, s);
   return leg.spin.x * h / sqrt(real(1) + h * h);
@@ -47,7 +47,7 @@ KERNEL real spinRate(LegView leg, real s) {
 
 /// The angle by which it turns from the origin to own time s: with h the rim's γβ and Γ its γ, ∫ h/Γ ds =
 /// (s − o)(h_o + h)/(Γ_o + Γ) while it is slowed, which does not cancel.
-KERNEL real spinAngle(LegView leg, real s) {
+KERNEL real spinAngle(LEG leg, real s) {
   if (!isSlowed(leg)) return leg.spin.x * s;
   real r = withinSlowing(leg, s);
   real o = withinSlowing(leg, real(0));
@@ -59,13 +59,13 @@ KERNEL real spinAngle(LegView leg, real s) {
 }
 
 /// The velocity, over c, of the point at x at own time s: ω/c ẑ × x.
-KERNEL vec3 spinVelocity(LegView leg, vec3 x, real s) { return spinRate(leg, s) * vec3(-x.y, x.x, real(0)); }
+KERNEL vec3 spinVelocity(LEG leg, vec3 x, real s) { return spinRate(leg, s) * vec3(-x.y, x.x, real(0)); }
 
 /// The vertex's place at own time s.
-KERNEL vec3 spinPlace(LegView leg, vec3 d, real s) { return turnedBy(cosSin(spinAngle(leg, s)), spinStart(leg, d)); }
+KERNEL vec3 spinPlace(LEG leg, vec3 d, real s) { return turnedBy(cosSin(spinAngle(leg, s)), spinStart(leg, d)); }
 
 /// A direction that the body carries along (a normal), as it points at an event of this leg.
-KERNEL vec3 carriedAlong(LegView leg, vec4 event, vec3 direction) {
+KERNEL vec3 carriedAlong(LEG leg, vec4 event, vec3 direction) {
   if (leg.spin.w == real(0)) return direction;
   return spinPlace(leg, direction, event.x);
 }
@@ -79,7 +79,7 @@ KERNEL vec3 carriedAlong(LegView leg, vec4 event, vec3 direction) {
 /// root, and |s| ≤ |p|. Halley's steps; one that would leave the known bounds of the root goes
 /// half of the way instead. The bounds must include their ends, or a last step from there would be
 /// thrown away.
-KERNEL vec4 spinEmission(LegView leg, vec3 d, int steps) {
+KERNEL vec4 spinEmission(LEG leg, vec3 d, int steps) {
   vec3 height = vec3(real(0), real(0), d.z);
   real higher = extraDistance(leg, height);
   real l = leg.distance + higher;

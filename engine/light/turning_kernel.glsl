@@ -17,7 +17,7 @@ KERNEL real rapidityOf(real x) {
 
 /// The centre's own time from the origin to board time s: (η_o − η)/a while it glides, the difference of the
 /// rapidities as one arcsine.
-KERNEL real glideOwnTime(LegView leg, real s) {
+KERNEL real glideOwnTime(LEG leg, real s) {
   real r = withinGlide(leg, s);
   real o = withinGlide(leg, real(0));
   real uO = leg.glideTimes.y;
@@ -28,11 +28,11 @@ KERNEL real glideOwnTime(LegView leg, real s) {
   return rapidityOf(lost) / leg.glide.w + (s - r) / gamma + o / gammaO;
 }
 
-KERNEL real turningOwnTime(LegView leg, real sigma) {
+KERNEL real turningOwnTime(LEG leg, real sigma) {
   return leg.glide.w > real(0) ? glideOwnTime(leg, sigma) : sigma;
 }
 
-KERNEL vec4 turningEvent(LegView leg, vec3 d, real sigma) {
+KERNEL vec4 turningEvent(LEG leg, vec3 d, real sigma) {
   vec3 x = spinPlace(leg, d, turningOwnTime(leg, sigma));
   if (!(leg.glide.w > real(0))) return vec4(sigma, x);
   real along_x = dot(x, vec3(leg.glide.x, leg.glide.y, leg.glide.z));
@@ -40,7 +40,7 @@ KERNEL vec4 turningEvent(LegView leg, vec3 d, real sigma) {
 }
 
 /// How the event moves with σ.
-KERNEL vec4 turningFlow(LegView leg, vec3 d, real sigma) {
+KERNEL vec4 turningFlow(LEG leg, vec3 d, real sigma) {
   real own = turningOwnTime(leg, sigma);
   vec3 x = spinPlace(leg, d, own);
   vec3 w = spinVelocity(leg, x, own);
@@ -63,14 +63,14 @@ KERNEL int turningSteps() { return 14; }
 
 /// The bounds of σ − s for whatever is simultaneous with the centre at s in any frame, or reaches it by
 /// light.
-KERNEL real turningSpread(LegView leg, vec3 d) {
+KERNEL real turningSpread(LEG leg, vec3 d) {
   real u = max(leg.glideTimes.x, leg.glideTimes.y);
   real stretch = leg.glide.w > real(0) ? real(2) * (gammaOf(u) + u) : real(1);
   return length(d) * stretch * real(1.00001);
 }
 
 /// Where the vertex crosses the past cone of the eye: t + (|e − x| − l0) = 0.
-KERNEL vec4 turningEmission(LegView leg, vec3 d) {
+KERNEL vec4 turningEmission(LEG leg, vec3 d) {
   real after = turningSpread(leg, d);
   real before = -after;
   vec3 d0 = spinStart(leg, d);
@@ -93,7 +93,7 @@ KERNEL vec4 turningEmission(LegView leg, vec3 d) {
 }
 
 /// Where it crosses the plane of the moment that is shown: m·(t, x) = 0.
-KERNEL vec4 turningMoment(LegView leg, vec3 d) {
+KERNEL vec4 turningMoment(LEG leg, vec3 d) {
   real after = turningSpread(leg, d);
   real before = -after;
   real s = real(0);
@@ -111,7 +111,7 @@ KERNEL vec4 turningMoment(LegView leg, vec3 d) {
 }
 
 /// A displacement of this frame in the frame of the leg's turn.
-KERNEL vec4 inTurnFrame(LegView leg, vec4 way) {
+KERNEL vec4 inTurnFrame(LEG leg, vec4 way) {
   if (!(leg.glide.w > real(0))) return way;
   vec3 n = vec3(leg.glide.x, leg.glide.y, leg.glide.z);
   real u = leg.glideTimes.x * gammaOf(leg.glideTimes.y) - leg.glideTimes.y * gammaOf(leg.glideTimes.x);
@@ -122,7 +122,7 @@ KERNEL vec4 inTurnFrame(LegView leg, vec4 way) {
 
 /// When the vertex is as far from an earlier event as what left there at `speed` has come, in the frame of
 /// the turn: speed (t − t_from) = |x − x_from|. That rises where no point of the body is as fast. Returns σ.
-KERNEL real turningReached(LegView leg, vec3 d, vec4 from, real speed) {
+KERNEL real turningReached(LEG leg, vec3 d, vec4 from, real speed) {
   bool glides = leg.glide.w > real(0);
   // Counted from the earlier event, which may lie far back.
   real since = glides ? dot(leg.toBoardTime, from) : from.x;
@@ -148,7 +148,7 @@ KERNEL real turningReached(LegView leg, vec3 d, vec4 from, real speed) {
 
 /// The speed at which a vertex catches up with a leg on which it goes round, while friction may leave it
 /// behind.
-KERNEL real turningCatchUpSpeed(LegView leg, vec3 d) {
+KERNEL real turningCatchUpSpeed(LEG leg, vec3 d) {
   real turn = isSlowed(leg) ? leg.spinSlows.z : real(0);
   real around = length(spinVelocity(leg, d, turn));
   real back = leg.glide.w > real(0) ? glideFallsBack(leg) : real(0);

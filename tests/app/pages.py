@@ -1,11 +1,12 @@
-"""pages.py ROOT MANUAL: every link in README.md and in the pages of app/doc leads to a page, a heading or a picture that is there,
+"""pages.py ROOT MANUAL SCHEMAS: every link in README.md and in the pages of app/doc leads to a page, a heading or a picture that is there,
 also where they are installed (config/package.cmake), README.md links to every page, and the sections of app/doc/physics.md and
 the headers that they name agree: each such header has a line "Theory: app/doc/physics.md, SECTION; SECTION.". The
 card to print is well formed and has two sides; what app/doc/teachers.md says that many predict wrongly, and how to go on,
 is what the lesson's own file says; every command and option that it and the page of the first day name is in the
-manual page."""
+manual page; each key of the files that people write (the schemas in the folder SCHEMAS) is named in code on a page."""
 
 import html.parser
+import json
 import pathlib
 import re
 import sys
@@ -122,6 +123,32 @@ for code in codes:
                 fail(f"'{code}': the manual page knows no {option} of {command}")
 if commands < 25:
     fail(f"only {commands} commands are named by the first day and the card")
+
+
+def keys_in(schema):
+    """The names of all keys that a schema declares, at any depth."""
+    if isinstance(schema, dict):
+        yield from schema.get("properties", {})
+        for part in schema.values():
+            yield from keys_in(part)
+    elif isinstance(schema, list):
+        for part in schema:
+            yield from keys_in(part)
+
+
+# The keys of files. The pages that list them all are made from their declarations; these are those that explain them.
+explained = set()
+for page in (root / "app/doc").glob("*.md"):
+    fenced = re.findall(r"(?ms)^ *```.*?^ *```$", page.read_text())
+    spans = re.findall(r"`([^`]+)`", text_of(page))
+    explained |= set(re.findall(r"[\w-]+", " ".join(fenced + spans)))
+schemas = sorted(pathlib.Path(sys.argv[3]).glob("*.schema.json"))
+for schema in schemas:
+    for key in sorted(set(keys_in(json.loads(schema.read_text()))) - explained):
+        fail(f"{schema.name}: the key {key} is named in code on no page of app/doc")
+if len(schemas) < 5:
+    fail(f"{sys.argv[3]} has {len(schemas)} schemas, expected those of items, playlists, rigs, scenarios and studies")
+
 # The page of physics and the headers name each other.
 named = set()  # (header, section) by the page
 for section in re.split(r"(?m)^## ", (root / "app/doc/physics.md").read_text())[1:]:

@@ -42,7 +42,7 @@ OWN_WORDS = {
     "app/class_server/class_address.cpp": "messages of the command line about addresses",
     "app/classroom/class_flow.h": "names of the teacher's steps, as pages send them",
     "app/class_server/class_pages.cpp": "names in pages and signs of HTML",
-    "app/class_server/class_connection.cpp": "names of HTTP, and paths of pages",
+    "app/class_server/class_answers.cpp": "names of HTTP, and paths of pages",
     "app/class_server/class_host.h": "names of HTTP",
     "app/class_server/class_host.cpp": "paths of pages, and messages of the command line",
     "app/classroom/classroom_messages.cpp": "keys of the messages to pages",

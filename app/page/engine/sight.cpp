@@ -128,13 +128,11 @@ CAROM_EXPORTED(seenPlaces) void seenPlaces(int body, int count) {
   for (Vec3& place : places) place = given.vector();
   Answer answer;
   for (const Vec3& place : places) {
-    const kernel::VertexEmission emission = kernel::solveEmission(
-        view.legs.data(), static_cast<int>(view.legs.size()), place, view.retarded, view.contracted);
+    const kernel::VertexEmission emission = emissionIn(view, place);
     const LegView& leg = view.legs[static_cast<std::size_t>(emission.leg)];
     const double boardTime_m = kernel::boardTimeOf(leg, emission.event);
     const bool isSeen = boardTime_m >= view.appears_m;
-    answer.vector(isSeen ? kernel::seenFromEye(leg, emission.event)
-                         : Vec3(std::numeric_limits<double>::quiet_NaN()));
+    answer.vector(isSeen ? seenFromEye(view, emission) : Vec3(std::numeric_limits<double>::quiet_NaN()));
     answer.number(boardTime_m);
   }
 }

@@ -5,6 +5,7 @@
 #define INOUT(type) inout type
 #define UNROLLED
 #define LEGS int
+#define LEG LegView
 #define COLOUR_TABLE int
 #ifndef MAX_PIECES
 #define MAX_PIECES 8

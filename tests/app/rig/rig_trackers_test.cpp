@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -11,6 +12,7 @@
 
 #include "app/rig/rig_text.h"
 #include "app/toml/input_file.h"
+#include "devices/setup/tracker_factory.h"
 
 namespace carom {
 namespace {
@@ -37,6 +39,12 @@ TEST(Rig, ReadsEveryKindOfTracker) {
     EXPECT_EQ(rig.trackers.at(0).kind, kind);
     EXPECT_EQ(rig.trackers[0].source, source);
     EXPECT_EQ(toString(kind), name);
+  }
+  for (const TrackerRow& row : trackerRows()) {
+    const auto isThis = [&](const auto& kind) { return std::get<1>(kind) == row.kind; };
+    const bool isRead = row.kind == TrackerKind::osc || row.kind == TrackerKind::spaceMouse ||  // below
+                        std::ranges::any_of(kinds, isThis);
+    EXPECT_TRUE(isRead || row.source == SourceUse::none || row.source == SourceUse::trace) << row.name;
   }
 }
 

@@ -125,8 +125,7 @@ std::vector<Vec3> drawnOf(std::span<const Vec3> places_m, const BodyView& body,
                           const glm::dmat4& drawnFromSeen) {
   std::vector<Vec3> drawn;
   for (const Vec3& place_m : places_m) {
-    const auto emission = kernel::solveEmission(body.legs.data(), static_cast<int>(body.legs.size()), place_m,
-                                                body.retarded, body.contracted);
+    const auto emission = emissionIn(body, place_m);
     const LegView& leg = body.legs[static_cast<std::size_t>(emission.leg)];
     drawn.push_back(kernel::rayThrough(drawnFromSeen, kernel::seenFromEye(leg, emission.event)));
   }

@@ -171,9 +171,7 @@ double worstError(const Cases& cases, Legs sort = Legs::manySpinning) {
   double worst = 0.0;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const BodyView& view = cases.views[i];
-    const kernel::VertexEmission emission =
-        kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()),
-                              glm::dvec3(cases.inputs[i].offset_m), view.retarded, view.contracted);
+    const kernel::VertexEmission emission = emissionIn(view, glm::dvec3(cases.inputs[i].offset_m));
     const LegView& leg = view.legs[static_cast<std::size_t>(emission.leg)];
     const glm::dvec3 seen_m = kernel::seenFromEye(leg, emission.event);
     const double inBody_m = cases.switches.retardation ? kernel::distanceInBody(leg, emission.event) : 0.0;

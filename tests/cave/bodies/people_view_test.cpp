@@ -44,9 +44,8 @@ struct PeopleView : testing::Test {
   /// The place at which the eye sees a point of a body, in the head's frame.
   glm::dvec3 seen(std::size_t body, const Vec3& offset_m) const {
     const BodyView& view = bodies[body];
-    const auto vertex = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), offset_m,
-                                              view.retarded, view.contracted);
-    return kernel::seenFromEye(view.legs[static_cast<std::size_t>(vertex.leg)], vertex.event);
+    const auto vertex = emissionIn(view, offset_m);
+    return seenFromEye(view, vertex);
   }
 
   Scene scene;

@@ -77,8 +77,7 @@ TEST(SeenRows, ASleeperIsDrawnAsARigidBody) {
       if (vertex.reach != 1.0F) continue;
       const SoftModel::Point& point = played.model.points[vertex.point];
       const kernel::VertexEmission emission =
-          kernel::solveEmission(view.legs.data(), 1, Vec3(played.model.relaxed_m[point.node], point.z_m),
-                                view.retarded, view.contracted);
+          emissionIn(view, Vec3(played.model.relaxed_m[point.node], point.z_m));
       const Vec3 expected = drawing.drawnAtSeen(kernel::seenFromEye(view.legs[0], emission.event));
       ASSERT_NEAR(glm::length(Vec3(seen[i].drawn) - expected), 0.0, 1e-6 * (1.0 + glm::length(expected)));
       EXPECT_NEAR(glm::length(Vec3(seen[i].u) - line.knots().front().u), 0.0, 1e-4);

@@ -40,8 +40,8 @@ TEST(Scene, ATallMeshJoinsItsLegsInItsOwnTime) {
     BodyView view;
     viewBody(tall, eye, headFromBoard, view);
     for (const Vec3 d : {Vec3(0.0, 0.0, 0.8), {0.0, 0.0, -0.8}, {0.03, 0.0, 0.0}}) {
-      const auto solved = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), d);
-      const Vec3 seen = kernel::seenFromEye(view.legs[static_cast<std::size_t>(solved.leg)], solved.event);
+      const auto solved = emissionIn(view, d);
+      const Vec3 seen = seenFromEye(view, solved);
       // Rounding of metres through two boosts.
       ASSERT_LT(glm::distance(seen, emission(tall, d, eye, headFromBoard)->seen.dr_m), 1e-12)
           << "at " << t_s << " s";

@@ -36,9 +36,8 @@ glm::vec3 seenInFloat(const BodyView& view, const Vec3& offset_m) {
 }
 
 Vec3 seenInDouble(const BodyView& view, const Vec3& offset_m) {
-  const auto emission = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), offset_m,
-                                              view.retarded, view.contracted);
-  return kernel::seenFromEye(view.legs[static_cast<std::size_t>(emission.leg)], emission.event);
+  const auto emission = emissionIn(view, offset_m);
+  return seenFromEye(view, emission);
 }
 
 float largestNumber(const BodyView& view) {

@@ -60,8 +60,8 @@ Vec3 seenByKernel(const WorldLine& line, const Vec3& offset_m, const Event& eye,
                   const Lorentz& headFromBoard) {
   BodyView view;
   viewBody(line, eye, headFromBoard, view);
-  const auto vertex = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), offset_m);
-  return kernel::seenFromEye(view.legs[static_cast<std::size_t>(vertex.leg)], vertex.event);
+  const auto vertex = emissionIn(view, offset_m);
+  return seenFromEye(view, vertex);
 }
 
 // The kernel works in the legs' rest frames and looks only at the legs that matter; the history knows all.
@@ -193,7 +193,7 @@ TEST(LightCone, FloatKernelKeepsWithinAFewUlpsOfTheDistance) {
     viewBody(line, eye, Lorentz::boost(random.u(0.95), kC_m_s), view);
     const Vec3 d = random.inBall(radius_m);
     const int count = static_cast<int>(view.legs.size());
-    const auto exact = kernel::solveEmission(view.legs.data(), count, d);
+    const auto exact = emissionIn(view, d);
     const auto exactSeen = kernel::seenFromEye(view.legs[exact.leg], exact.event);
     std::vector<kernel_float::LegView> legs;
     for (const LegView& leg : view.legs) legs.push_back(toFloat(leg));

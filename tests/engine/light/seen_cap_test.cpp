@@ -27,8 +27,7 @@ struct Sight {
     viewBody(line, eye, headFromBoard, view, switches, moment);
   }
   Vec3 drawn(const Vec3& d) const {
-    const auto emission = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), d,
-                                                view.retarded, view.contracted);
+    const auto emission = emissionIn(view, d);
     const LegView& leg = view.legs[static_cast<std::size_t>(emission.leg)];
     return kernel::rayThrough(frame.drawnFromSeen.matrix(), kernel::seenFromEye(leg, emission.event));
   }

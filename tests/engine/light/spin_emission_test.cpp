@@ -160,7 +160,7 @@ TEST(SpinEmission, TheKernelFindsWhatBisectionFinds) {
     viewBody(line, eye, head, view);
     ASSERT_EQ(view.legs.size(), 1U);
     const kernel_float::LegView leg = toFloat(view.legs[0]);
-    const auto inDouble = kernel::solveEmission(view.legs.data(), 1, d_m);
+    const auto inDouble = emissionIn(view, d_m);
     const auto inFloat = kernel_float::solveEmission(&leg, 1, glm::vec3(d_m));
     const double distance_m = distanceOf(view.legs[0], inDouble);
     const Vec3 byDouble = kernel::seenFromEye(view.legs[0], inDouble.event);
@@ -206,7 +206,7 @@ TEST(SpinEmission, SixStepsFindAllButFewPointsOfTheFastestRims) {
     ASSERT_TRUE(exact);
     BodyView view;
     viewBody(line, eye, Lorentz(kC_m_s), view);
-    const auto found = kernel::solveEmission(view.legs.data(), 1, d_m);
+    const auto found = emissionIn(view, d_m);
     const double error_m = glm::length(kernel::seenFromEye(view.legs[0], found.event) - exact->seen.dr_m);
     if (!(error_m <= 1e-7 * glm::length(exact->seen.dr_m))) ++missed;
   }
@@ -278,7 +278,7 @@ TEST(SpinEmission, TheKernelFollowsPointsThroughBounces) {
     viewBody(line, eye, head, view);
     const auto exact = emission(line, d_m, eye, head);
     const int legs = static_cast<int>(view.legs.size());
-    const auto found = kernel::solveEmission(view.legs.data(), legs, d_m);
+    const auto found = emissionIn(view, d_m);
     const LegView& leg = view.legs[static_cast<std::size_t>(found.leg)];
     const double distance_m = distanceOf(leg, found);
     const double error = glm::length(kernel::seenFromEye(leg, found.event) - exact->seen.dr_m) / distance_m;
@@ -317,7 +317,7 @@ TEST(SpinEmission, TheKernelFollowsPointsThatTheClothSlows) {
     BodyView view;
     viewBody(line, eye, head, view);
     const int legs = static_cast<int>(view.legs.size());
-    const auto found = kernel::solveEmission(view.legs.data(), legs, d_m);
+    const auto found = emissionIn(view, d_m);
     const LegView& leg = view.legs[static_cast<std::size_t>(found.leg)];
     const double error =
         glm::length(kernel::seenFromEye(leg, found.event) - exact->seen.dr_m) / distanceOf(leg, found);
@@ -325,14 +325,11 @@ TEST(SpinEmission, TheKernelFollowsPointsThatTheClothSlows) {
                                << slowing_1_s;
     const auto history = vertexHistory(line, d_m);
     viewBody(line, eye, head, view, {}, ViewTime::boardNow);
-    const auto now =
-        kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), d_m, false, true);
+    const auto now = emissionIn(view, d_m);
     const Vec3 place_m = placeAt(pieceAt(history, eye.t_s), eye.t_s, kC_m_s);
     const Vec3 expected =
         (ViewFrame(head, {}, ViewTime::boardNow).seenFromBoard * (Event{eye.t_s, place_m} - eye)).dr_m;
-    EXPECT_NEAR(
-        glm::length(kernel::seenFromEye(view.legs[static_cast<std::size_t>(now.leg)], now.event) - expected),
-        0.0, 1e-6);
+    EXPECT_NEAR(glm::length(seenFromEye(view, now) - expected), 0.0, 1e-6);
   }
 }
 
@@ -350,8 +347,7 @@ TEST(SpinEmission, AtAMomentPointsAreWhereTheirWorldLinesAre) {
     for (const ViewTime moment : {ViewTime::boardNow, ViewTime::myNow}) {
       BodyView view;
       viewBody(line, eye, head, view, {}, moment);
-      const auto found =
-          kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), d_m, false, true);
+      const auto found = emissionIn(view, d_m);
       const LegView& leg = view.legs[static_cast<std::size_t>(found.leg)];
       const auto eventAt = [&](double t_s) {
         return Event{t_s, placeAt(pieceAt(history, t_s), t_s, kC_m_s)};

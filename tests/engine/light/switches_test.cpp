@@ -23,9 +23,8 @@ using Case = test::SeenPoint;
 Vec3 drawnByKernel(const Case& c, const Switches& switches) {
   BodyView view;
   viewBody(c.line, c.eye, c.headFromBoard, view, switches);
-  const auto vertex = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), c.offset_m,
-                                            view.retarded, view.contracted);
-  const Vec3 seen = kernel::seenFromEye(view.legs[static_cast<std::size_t>(vertex.leg)], vertex.event);
+  const auto vertex = emissionIn(view, c.offset_m);
+  const Vec3 seen = seenFromEye(view, vertex);
   if (view.retarded) return seen;
   return kernel::rayThrough(ViewFrame(c.headFromBoard, switches).drawnFromSeen.matrix(), seen);
 }

@@ -29,8 +29,7 @@ struct Placed {
 Placed placedByKernel(const Case& c, const Switches& switches = {}) {
   BodyView view;
   viewBody(c.line, c.eye, c.headFromBoard, view, switches, ViewTime::myNow);
-  const auto vertex = kernel::solveEmission(view.legs.data(), static_cast<int>(view.legs.size()), c.offset_m,
-                                            view.retarded, view.contracted);
+  const auto vertex = emissionIn(view, c.offset_m);
   const LegView& leg = view.legs[static_cast<std::size_t>(vertex.leg)];
   return {kernel::seenFromEye(leg, vertex.event), kernel::boardTimeOf(leg, vertex.event) / kC_m_s};
 }
