@@ -1,7 +1,7 @@
 #pragma once
 // The names of keys, as people read them on their keyboard. The program knows a key by its place, which is
 // called as on a US keyboard: the key that is called W stands for Z on a French one. The names are those of a
-// US keyboard until they are set (cave/display/keyboard_layout.h), so that pictures without a window, and
+// US keyboard until they are set (app/input/keyboard_layout.h), so that pictures without a window, and
 // those of a replay, are the same everywhere.
 
 #include <array>

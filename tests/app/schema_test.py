@@ -122,7 +122,7 @@ for page, names in [
     ("scenarios.md", names_in(scenario_keys)),
     ("teachers.md", names_in(scenario_keys)),
     ("operators.md", names_in([rig_keys, playlist_keys])),
-    ("studies.md", names_in(json.loads((schemas / "study.schema.json").read_text()))),
+    ("studies.md", names_in([json.loads((schemas / f"{kind}.schema.json").read_text()) for kind in ("study", "items")])),
 ]:
     text = (config.parent / "app/doc" / page).read_text()
     given = set()

@@ -136,6 +136,27 @@ TEST(Command, TheLastOrderOfAFrameCounts) {
   EXPECT_FALSE(lastOf<SetRate>(commands));
 }
 
+// Files know a view by its place: a new one comes after these.
+TEST(NamedViews, KeepTheirPlaces) {
+  const std::vector<std::string_view> known{"board-now", "my-now", "paths",     "events", "clocks",
+                                            "split",     "frozen", "ruler",     "angles", "strain",
+                                            "heat",      "news",   "spacetime", "speeds"};
+  ASSERT_GE(kNamedViews.size(), known.size());
+  for (std::size_t i = 0; i < known.size(); ++i) EXPECT_EQ(kNamedViews[i].name, known[i]);
+}
+
+TEST(NamedViews, HaveWordsAndAFlagOfTheirOwn) {
+  for (std::size_t i = 0; i < kNamedViews.size(); ++i) {
+    EXPECT_STRNE(kNamedViews[i].words.english(), "") << kNamedViews[i].name;
+    EXPECT_STRNE(kNamedViews[i].tip.english(), "") << kNamedViews[i].name;
+    TimeViews views;
+    views.*kNamedViews[i].value = 1;
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_EQ(views.*kNamedViews[j].value, 0)
+          << kNamedViews[i].name << " has the flag of " << kNamedViews[j].name;
+  }
+}
+
 // The page of players is written by hand beside the rows.
 TEST(NamedViews, AreAllOnThePageWithTheirKeys) {
   const std::string page = test::contentOf(CAROM_TESTS_DIR "/../app/doc/playing.md");

@@ -23,6 +23,8 @@ struct Axes {
     return right_m * axes.right + up_m * axes.up + forward_m * axes.forward;
   }
 };
+/// Or GoogleTest prints its bytes, among them a place in memory, as the name of a test.
+void PrintTo(const Axes& axes, std::ostream* out) { *out << axes.name; }
 
 /// A room of 3 m with a front, a left and a right wall and a floor, for this many people.
 Rig roomOf(const Axes& axes, int people) {

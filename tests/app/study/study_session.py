@@ -603,7 +603,7 @@ if shutil.which("xdotool"):
         press(key)
         wait_for(f"what {key} does", lambda: newest()[0][0] == value)
 
-    PATHS, CLOCKS = 4, 16  # bits of the column `views`, in the order of the keys in app/doc/playing.md
+    PATHS, CLOCKS = 4, 16  # bits of the column `views`, in the order of kNamedViews
     presses("F3", VELOCITY, 2)
     presses("F4", VELOCITY, 3)
     presses("p", f"f.views & {PATHS}", PATHS)
