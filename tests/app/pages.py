@@ -12,6 +12,8 @@ import re
 import sys
 import tomllib
 
+from schema_names import names_in
+
 root = pathlib.Path(sys.argv[1]).resolve()
 readme = root / "README.md"
 pages = [readme, root / "CONTRIBUTING.md", root / "CHANGELOG.md", *sorted((root / "app/doc").glob("*.md"))]
@@ -124,18 +126,6 @@ for code in codes:
 if commands < 25:
     fail(f"only {commands} commands are named by the first day and the card")
 
-
-def keys_in(schema):
-    """The names of all keys that a schema declares, at any depth."""
-    if isinstance(schema, dict):
-        yield from schema.get("properties", {})
-        for part in schema.values():
-            yield from keys_in(part)
-    elif isinstance(schema, list):
-        for part in schema:
-            yield from keys_in(part)
-
-
 # The keys of files. The pages that list them all are made from their declarations; these are those that explain them.
 explained = set()
 for page in (root / "app/doc").glob("*.md"):
@@ -144,7 +134,7 @@ for page in (root / "app/doc").glob("*.md"):
     explained |= set(re.findall(r"[\w-]+", " ".join(fenced + spans)))
 schemas = sorted(pathlib.Path(sys.argv[3]).glob("*.schema.json"))
 for schema in schemas:
-    for key in sorted(set(keys_in(json.loads(schema.read_text()))) - explained):
+    for key in sorted(names_in(json.loads(schema.read_text())) - explained):
         fail(f"{schema.name}: the key {key} is named in code on no page of app/doc")
 if len(schemas) < 5:
     fail(f"{sys.argv[3]} has {len(schemas)} schemas, expected those of items, playlists, rigs, scenarios and studies")

@@ -15,6 +15,7 @@ except ImportError:
 
 import json
 
+from schema_names import names_in
 
 
 def with_dates_as_texts(table):
@@ -107,13 +108,6 @@ print("the keys of nodes and their start are judged rightly")
 rig_keys, scenario_keys, playlist_keys = (
     json.loads((schemas / f"{kind}.schema.json").read_text()) for kind in ["rig", "scenario", "playlist"]
 )
-
-
-def names_in(schema):
-    """Returns the names of all keys in a schema."""
-    inner = schema.values() if isinstance(schema, dict) else schema if isinstance(schema, list) else []
-    own = set(schema.get("properties", {})) if isinstance(schema, dict) else set()
-    return own.union(*map(names_in, inner))
 
 
 # Each key in an example of a page is one that there is; and these are the defaults, where an example says so.
